@@ -6,20 +6,33 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
+# Two build types of our own beside Release and Debug: optimised with assertions on, and what sanitizers run on.
+set(CMAKE_CXX_FLAGS_RELWITHASSERTS "-O2" CACHE STRING "Optimised, assertions on")
+set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1" CACHE STRING "For sanitizers: quick to compile, assertions on")
+mark_as_advanced(CMAKE_CXX_FLAGS_RELWITHASSERTS CMAKE_CXX_FLAGS_SANITIZE)
+
 # Exact predicates need every double operation as written: no contraction of a*b+c, no fast-math, no x87.
+# Users of the library inherit -ffp-contract=off (CMakeLists.txt): the linker keeps one copy of an inline function, and
+# it may be theirs.
 target_compile_options(delone_flags INTERFACE -ffp-contract=off)
+if(CMAKE_SIZEOF_VOID_P EQUAL 4 AND CMAKE_SYSTEM_PROCESSOR MATCHES "i.86|x86")
+  target_compile_options(delone_flags INTERFACE -msse2 -mfpmath=sse)
+endif()
 if(CMAKE_CXX_FLAGS MATCHES "-ffast-math|-Ofast|-funsafe-math")
   message(FATAL_ERROR "delone decides signs by rounding-error bounds: build it without -ffast-math")
 endif()
 
 target_compile_options(delone_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast -Werror)
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast)
+if(DELONE_WARNINGS_AS_ERRORS)
+  target_compile_options(delone_flags INTERFACE -Werror)
+endif()
 target_compile_options(delone_flags INTERFACE $<$<CONFIG:Release>:-O3>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(delone_flags INTERFACE -Wno-pedantic)  # __int128
 endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-  target_compile_options(delone_flags INTERFACE -Wno-gnu -Wno-c++20-extensions)
+  target_compile_options(delone_flags INTERFACE -Wno-gnu -Wno-pedantic)
 endif()
 if(DELONE_NATIVE)
   target_compile_options(delone_flags INTERFACE -march=native)

@@ -1,0 +1,26 @@
+# Installs the library into a fresh prefix, builds the consumer against it with each compiler at hand, and runs it.
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${ARGV}\n${output}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix --component library)
+if(EXISTS ${WORK}/prefix/include/delone/io)
+  message(FATAL_ERROR "the installed library must not carry headers of delone_io")
+endif()
+
+foreach(compiler g++ clang++-14)
+  find_program(found_${compiler} ${compiler})
+  if(NOT found_${compiler})
+    message(STATUS "${compiler} is not installed: left out")
+    continue()
+  endif()
+  run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/${compiler} -G ${GENERATOR}
+    -DCMAKE_CXX_COMPILER=${found_${compiler}} -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+  run(${CMAKE_COMMAND} --build ${WORK}/${compiler})
+  run(${WORK}/${compiler}/consumer)
+  message(STATUS "${compiler}: built and ran")
+endforeach()
