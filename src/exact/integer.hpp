@@ -43,7 +43,8 @@ inline Scaled decompose(double x) {
 /// Bits that |x.mantissa| * 2^(x.exponent - unit) takes; `unit` is at most x.exponent.
 inline int bit_length(Scaled x, int unit) {
   if (x.mantissa == 0) return 0;
-  return std::bit_width(static_cast<std::uint64_t>(x.mantissa < 0 ? -x.mantissa : x.mantissa)) + x.exponent - unit;
+  const auto magnitude = static_cast<std::uint64_t>(x.mantissa < 0 ? -x.mantissa : x.mantissa);
+  return static_cast<int>(std::bit_width(magnitude)) + x.exponent - unit;
 }
 
 /// The integer x / 2^unit; `unit` is at most x.exponent, and the result fits into Int.
