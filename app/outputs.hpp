@@ -1,0 +1,25 @@
+// The files a run is to write: named, checked against each other and against the dimension before any work.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "delone/io/mesh_file.hpp"
+
+namespace delone::cli {
+
+struct Output {
+  std::string path;
+  io::MeshFormat format;
+};
+
+/// @param input   the file of the points, which no output may replace
+/// @param format  "" to go by the extensions
+/// @throws UsageError for an unknown format, two outputs in one file, a place that cannot be written
+std::vector<Output> plan_outputs(const std::vector<std::string>& paths, const std::string& format,
+                                 const std::string& input);
+
+/// @throws UsageError when a format cannot hold points of this dimension
+void require_dimension(const std::vector<Output>& outputs, int dimension);
+
+}  // namespace delone::cli
