@@ -1,0 +1,63 @@
+// What the harness asks of every library it measures: build from points in memory, and say how long that took.
+#pragma once
+
+#include <malloc.h>
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "delone/geometry/points.hpp"
+
+namespace delone::bench {
+
+struct Run {
+  double seconds = 0;        ///< construction, the library's own sort included; its copy of the points is made before
+  std::size_t cells = 0;     ///< finite ones
+  std::size_t vertices = 0;  ///< 0 where the library does not say
+  std::size_t bytes = 0;     ///< of the finished triangulation, the input not counted
+};
+
+struct Peer {
+  std::string name;     ///< as the harness spells it
+  std::string version;  ///< of the library
+  bool (*fits)(int dimension, bool weighted);
+  Run (*run)(PointsView points);
+};
+
+// One translation unit per library.
+std::vector<Peer> delone_peers();
+std::vector<Peer> cgal_2d_peers();
+std::vector<Peer> cgal_3d_peers();
+std::vector<Peer> cgal_d_peers();
+std::vector<Peer> qhull_peers();
+
+class Clock {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Bytes that the program holds from malloc, mapped blocks included.
+inline std::size_t allocated() {
+  const auto info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
+
+/// Times `build()` and weighs what it returns; `counts(result)` gives cells and vertices.
+template <class Build, class Counts>
+Run measure(Build&& build, Counts&& counts) {
+  const std::size_t before = allocated();
+  const Clock clock;
+  const auto result = build();
+  Run run;
+  run.seconds = clock.seconds();
+  run.bytes = allocated() - before;
+  counts(*result, run);
+  return run;
+}
+
+}  // namespace delone::bench

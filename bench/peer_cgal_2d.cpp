@@ -1,0 +1,66 @@
+// CGAL in the plane: range insertion, which sorts spatially; bare, with an index per vertex, and weighted.
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/version.h>
+
+#include <memory>
+#include <utility>
+
+#include "bench/peer.hpp"
+
+namespace delone::bench {
+
+namespace {
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Delaunay = CGAL::Delaunay_triangulation_2<K>;
+using Indexed = CGAL::Delaunay_triangulation_2<
+    K, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_with_info_2<unsigned, K>>>;
+using Regular = CGAL::Regular_triangulation_2<K>;
+
+template <class T, class Points>
+Run insert_range(const Points& points) {
+  return measure(
+      [&] {
+        auto t = std::make_unique<T>();
+        t->insert(points.begin(), points.end());
+        return t;
+      },
+      [](const T& t, Run& run) {
+        run.cells = t.number_of_faces();
+        run.vertices = t.number_of_vertices();
+      });
+}
+
+Run run_delaunay(PointsView view) {
+  std::vector<K::Point_2> points;
+  for (std::size_t i = 0; i < view.size(); ++i) points.emplace_back(view[i][0], view[i][1]);
+  return insert_range<Delaunay>(points);
+}
+
+Run run_indexed(PointsView view) {
+  std::vector<std::pair<K::Point_2, unsigned>> points;
+  for (std::size_t i = 0; i < view.size(); ++i)
+    points.emplace_back(K::Point_2(view[i][0], view[i][1]), static_cast<unsigned>(i));
+  return insert_range<Indexed>(points);
+}
+
+Run run_regular(PointsView view) {
+  std::vector<K::Weighted_point_2> points;
+  for (std::size_t i = 0; i < view.size(); ++i) points.emplace_back(K::Point_2(view[i][0], view[i][1]), view.weight(i));
+  return insert_range<Regular>(points);
+}
+
+}  // namespace
+
+std::vector<Peer> cgal_2d_peers() {
+  const auto bare = [](int d, bool weighted) { return d == 2 && !weighted; };
+  const auto with_weights = [](int d, bool weighted) { return d == 2 && weighted; };
+  return {{"CGAL", CGAL_VERSION_STR, bare, run_delaunay},
+          {"CGAL-indexed", CGAL_VERSION_STR, bare, run_indexed},
+          {"CGAL", CGAL_VERSION_STR, with_weights, run_regular}};
+}
+
+}  // namespace delone::bench
