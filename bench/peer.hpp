@@ -16,7 +16,7 @@ struct Run {
   double seconds = 0;        ///< construction, the library's own sort included; its copy of the points is made before
   std::size_t cells = 0;     ///< finite ones
   std::size_t vertices = 0;  ///< 0 where the library does not say
-  std::size_t bytes = 0;     ///< of the finished triangulation, the input not counted
+  std::size_t bytes = 0;     ///< that the finished triangulation holds, its coordinates included
 };
 
 struct Peer {

@@ -145,10 +145,13 @@ struct Verdict {
   bool met = false;
 };
 
-std::string bytes_a_point(const Contestant& c) {
-  const Sample& s = c.samples.front();
-  return number(static_cast<double>(s.bytes) / static_cast<double>(c.workload.n), 0);
+/// Beyond the coordinates and weights themselves, which every library holds too.
+double bytes_a_point(const Contestant& c) {
+  const double input = 8.0 * (c.workload.dimension + (c.workload.weight > 0 ? 1 : 0));
+  return static_cast<double>(c.samples.front().bytes) / static_cast<double>(c.workload.n) - input;
 }
+
+std::string bytes_text(const Contestant& c) { return number(bytes_a_point(c), 0); }
 
 /// Delone (tuned for the machine, and portable) against rivals on one workload.
 struct Race {
@@ -167,7 +170,7 @@ std::vector<Race> races(const Options& o) {
   return {
       {"2d", at("2D uniform 1e6", "uniform", 1000000, 2), {"CGAL", "CGAL-indexed"}, 1.0, 80, 7},
       {"2d", at("2D uniform 1e5", "uniform", 100000, 2), {"CGAL", "CGAL-indexed"}, 0, 0, 7},
-      {"2d", at("2D weighted 1e6, half of them hidden", "uniform", 1000000, 2, 1e-5), {"CGAL"}, 0, 0, 5},
+      {"2d", at("2D weighted 1e6, many hidden", "uniform", 1000000, 2, 5e-6), {"CGAL"}, 0, 0, 5},
       {"3d", at("3D uniform 1e6", "uniform", 1000000, 3), {"CGAL"}, 1.5, 300, 5},
       {"3d", at("3D uniform 1e5", "uniform", 100000, 3), {"CGAL"}, 0, 0, 5},
       {"3d", at("3D sphere 1e5", "sphere", 100000, 3), {"CGAL"}, 0, 0, 5},
@@ -212,11 +215,11 @@ std::string report_races(const Options& o, std::vector<Verdict>& verdicts) {
     const double ratio = fastest / median(contestants.front());
     text += "| " + race.workload.title + " | " + counts + " | " + seconds_text(contestants[0]) + " | " +
             seconds_text(contestants[1]);
-    memory += "| " + race.workload.title + " | " + bytes_a_point(contestants[0]);
+    memory += "| " + race.workload.title + " | " + bytes_text(contestants[0]);
     for (const std::string& column : columns) {
       const auto rival = std::ranges::find(contestants, column, &Contestant::label);
       text += " | " + (rival == contestants.end() ? "" : seconds_text(*rival));
-      memory += " | " + (rival == contestants.end() ? "" : bytes_a_point(*rival));
+      memory += " | " + (rival == contestants.end() ? "" : bytes_text(*rival));
     }
     text += " | " + number(ratio, 2) + " |\n";
     memory += " |\n";
@@ -224,8 +227,7 @@ std::string report_races(const Options& o, std::vector<Verdict>& verdicts) {
       verdicts.push_back({race.workload.title + ", times as fast as the fastest rival", number(race.target, 1),
                           number(ratio, 2), ratio >= race.target});
     if (race.target_bytes > 0) {
-      const Sample& s = contestants.front().samples.front();
-      const double bytes = static_cast<double>(s.bytes) / static_cast<double>(race.workload.n);
+      const double bytes = bytes_a_point(contestants.front());
       verdicts.push_back({race.workload.title + ", bytes a point at most", number(race.target_bytes, 0),
                           number(bytes, 0), bytes <= race.target_bytes});
     }
@@ -280,7 +282,7 @@ std::string report_large(const Options& o, std::vector<Verdict>& verdicts) {
     Contestant c{"Delone", o.native, "Delone", w};
     run_once(c, 1);
     text += "| " + w.title + " | " + std::to_string(c.samples[0].cells) + " | " + seconds_text(c) + " | " +
-            bytes_a_point(c) + " | " + std::to_string(c.samples[0].peak_bytes >> 20) + " |\n";
+            bytes_text(c) + " | " + std::to_string(c.samples[0].peak_bytes >> 20) + " |\n";
     verdicts.push_back({w.title, "finishes", seconds_text(c) + " s", true});
   }
   return text;
