@@ -1,0 +1,40 @@
+#include "io/complain.hpp"
+
+#include <fmt/format.h>
+
+#include "delone/base/errors.hpp"
+
+namespace delone::io {
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kLongest = 40;
+  std::size_t length = std::min(text.size(), kLongest);
+  while (length < text.size() && length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;
+  std::string result = "'";
+  for (const char c : text.substr(0, length)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) {
+      result += fmt::format("\\x{:02x}", byte);
+    } else {
+      result += c;
+    }
+  }
+  result += length < text.size() ? "...'" : "'";
+  return result;
+}
+
+std::string counted(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+void complain(std::string_view file, Place place, std::string_view message) {
+  std::string text(file);
+  text += ": ";
+  if (place.line != 0) text += fmt::format("line {}", place.line);
+  if (place.column != 0) text += fmt::format("{}column {}", place.line != 0 ? ", " : "", place.column);
+  if (place.column != 0 && !place.column_name.empty()) text += fmt::format(" ({})", place.column_name);
+  if (place.line != 0 || place.column != 0) text += ": ";
+  throw InputError(text.append(message));
+}
+
+}  // namespace delone::io

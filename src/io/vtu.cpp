@@ -1,0 +1,138 @@
+// VTK's UnstructuredGrid in XML, which ParaView opens: one appended block of raw little-endian arrays.
+// Format: "VTK File Formats" of the VTK documentation, XML formats. Each array is preceded by its length in bytes.
+// Every input row is a point, so ids are row numbers; attributes, weights and the status of each row are point data.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "io/mesh_io.hpp"
+
+namespace delone::io {
+namespace {
+
+constexpr std::array<unsigned char, 5> kCellTypes{0, 1, 3, 5, 10};  // by corners: vertex, line, triangle, tetrahedron
+constexpr unsigned char kPolygon = 7;
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&') {
+      result += "&amp;";
+    } else if (c == '<') {
+      result += "&lt;";
+    } else if (c == '"') {
+      result += "&quot;";
+    } else {
+      result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return result;
+}
+
+/// The XML that announces the arrays, each at its place in the block that follows.
+class Announcements {
+ public:
+  void array(std::string_view type, std::string_view name, std::size_t bytes, std::string_view more = "") {
+    text_ += fmt::format("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n", type,
+                         escaped(name), more, offset_);
+    offset_ += sizeof(std::uint64_t) + bytes;
+  }
+  void line(std::string_view text) { text_.append(text).push_back('\n'); }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  std::size_t offset_ = 0;
+};
+
+struct Grid {
+  const MeshView& mesh;
+  Embedding points;
+  PolytopeTable polygons;  // when merged
+  std::vector<NamedNumbers> numbers;
+  std::vector<unsigned char> status;
+
+  bool merged() const { return mesh.merged != nullptr; }
+  std::size_t cell_count() const { return merged() ? polygons.size() : mesh.cells.size(); }
+  std::span<const Index> corners() const {
+    return merged() ? std::span(polygons.vertices) : std::span(mesh.cells.vertices);
+  }
+  bool wide() const {
+    return std::max(mesh.points.size(), corners().size()) > std::size_t{std::numeric_limits<std::int32_t>::max()};
+  }
+};
+
+std::string announce(const Grid& grid) {
+  const std::size_t n = grid.mesh.points.size();
+  const std::string_view integer = grid.wide() ? "Int64" : "Int32";
+  const std::size_t size = grid.wide() ? 8 : 4;
+  Announcements xml;
+  xml.line("<?xml version=\"1.0\"?>");
+  xml.line("<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">");
+  xml.line("  <UnstructuredGrid>");
+  xml.line(fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">", n, grid.cell_count()));
+  xml.line("      <Points>");
+  xml.array("Float64", "Points", n * 3 * sizeof(double), " NumberOfComponents=\"3\"");
+  xml.line("      </Points>");
+  xml.line("      <Cells>");
+  xml.array(integer, "connectivity", grid.corners().size() * size);
+  xml.array(integer, "offsets", grid.cell_count() * size);
+  xml.array("UInt8", "types", grid.cell_count());
+  xml.line("      </Cells>");
+  xml.line("      <PointData>");
+  for (const NamedNumbers& column : grid.numbers) xml.array("Float64", column.name, n * sizeof(double));
+  if (!grid.status.empty()) xml.array("UInt8", "status", n);
+  xml.line("      </PointData>");
+  xml.line("    </Piece>");
+  xml.line("  </UnstructuredGrid>");
+  xml.line("  <AppendedData encoding=\"raw\">");
+  return xml.text() + "_";
+}
+
+template <class Integer>
+void put_cells(Output& out, const Grid& grid) {
+  const std::span<const Index> corners = grid.corners();
+  out.put<std::uint64_t>(corners.size() * sizeof(Integer));
+  for (const Index row : corners) out.put(static_cast<Integer>(row));
+  out.put<std::uint64_t>(grid.cell_count() * sizeof(Integer));
+  for (std::size_t cell = 1; cell <= grid.cell_count(); ++cell) {
+    const std::size_t end =
+        grid.merged() ? grid.polygons.offsets[cell] : cell * static_cast<std::size_t>(grid.mesh.cells.corners);
+    out.put(static_cast<Integer>(end));
+  }
+}
+
+}  // namespace
+
+void write_vtu(const std::string& path, const MeshView& mesh) {
+  const Grid grid{mesh, Embedding(mesh, "vtu"), mesh.merged != nullptr ? polygons_of(mesh, "vtu") : PolytopeTable(),
+                  point_numbers(mesh), status_codes(mesh)};
+  Output out(path);
+  out << announce(grid);
+  const std::size_t n = mesh.points.size();
+  out.put<std::uint64_t>(n * 3 * sizeof(double));
+  for (std::size_t row = 0; row < n; ++row) {
+    for (const double coordinate : grid.points[row]) out.put(coordinate);
+  }
+  if (grid.wide()) {
+    put_cells<std::int64_t>(out, grid);
+  } else {
+    put_cells<std::int32_t>(out, grid);
+  }
+  const unsigned char type = grid.merged() ? kPolygon : kCellTypes[static_cast<std::size_t>(mesh.cells.corners)];
+  out.put<std::uint64_t>(grid.cell_count());
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) out.put(type);
+  for (const NamedNumbers& column : grid.numbers) {
+    out.put<std::uint64_t>(n * sizeof(double));
+    for (const double number : *column.numbers) out.put(number);
+  }
+  if (!grid.status.empty()) {
+    out.put<std::uint64_t>(n);
+    for (const unsigned char code : grid.status) out.put(code);
+  }
+  out << "\n  </AppendedData>\n</VTKFile>\n";
+  out.commit();
+}
+
+}  // namespace delone::io
