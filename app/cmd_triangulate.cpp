@@ -122,11 +122,7 @@ void write_outputs(const std::vector<Output>& outputs, const io::PointTable& poi
     const DeferInterrupt defer;  // a file that is begun is finished
     const Stopwatch writing;
     Written written{output.path, {}, 0};
-    try {
-      written.files = io::write_mesh(output.path, output.format, mesh);
-    } catch (const std::runtime_error&) {
-      if (output.path != "-" || !stdout_closed()) throw;
-    }
+    unless_nobody_reads(output.path, [&] { written.files = io::write_mesh(output.path, output.format, mesh); });
     written.seconds = writing.seconds();
     summary.written.push_back(std::move(written));
     if (interrupted() != 0) throw Cancelled();
@@ -151,6 +147,7 @@ int run(const Options& options) {
   const int known =
       options.input.columns.empty() ? options.input.dimension : static_cast<int>(options.input.columns.size());
   require_dimension(outputs, known);
+  if (options.merged) require_merged(outputs, known);
   reading.attributes = !outputs.empty() || !options.elevation.empty();
 
   Summary summary;
@@ -163,6 +160,7 @@ int run(const Options& options) {
   summary.dimension = points.dimension;
   summary.coordinate_names = points.coordinate_names;
   require_dimension(outputs, points.dimension);
+  if (options.merged) require_merged(outputs, points.dimension);
   require_elevation(points, options.elevation);
 
   const Exported exported = triangulate(points, options, summary);

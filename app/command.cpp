@@ -91,7 +91,7 @@ void print(const std::string& text) {
   if (written) return;
   const int error = errno;
   if (error == EPIPE || stdout_closed()) return;
-  throw std::runtime_error(std::string("standard output: ") + std::strerror(error));
+  throw std::runtime_error(std::string("cannot write standard output: ") + std::strerror(error));
 }
 
 }  // namespace delone::cli

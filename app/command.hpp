@@ -62,6 +62,15 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
 void print(const std::string& text);
 /// Is standard output a pipe that nobody reads any more?
 bool stdout_closed();
+/// Calls `write`; when that fails because nobody reads standard output any more, it is not an error.
+template <class Write>
+void unless_nobody_reads(const std::string& path, Write write) {
+  try {
+    write();
+  } catch (const std::runtime_error&) {
+    if (path != "-" || !stdout_closed()) throw;
+  }
+}
 
 class Stopwatch {
  public:

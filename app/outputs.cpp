@@ -1,16 +1,30 @@
 #include "outputs.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <map>
 
 #include "command.hpp"
-#include "output_file.hpp"
 
 namespace delone::cli {
 namespace fs = std::filesystem;
 
 namespace {
+
+fs::path follow_links(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+}
+
+bool is_special(const fs::path& path) {
+  std::error_code ignored;
+  const auto status = fs::status(path, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status);
+}
 
 constexpr const char* kFormats = "vtu, ply, obj, off, node (with .ele and .neigh), npy, csv, cells, geojson, svg, png";
 
@@ -32,7 +46,7 @@ std::vector<std::string> files_of(const Output& output) {
     return path.replace_extension(ending).string();
   };
   if (output.format == io::MeshFormat::node_ele) return {with(".node"), with(".ele"), with(".neigh")};
-  if (output.format == io::MeshFormat::npy) return {output.path, with(".points.npy"), with(".cells.npy")};
+  if (output.format == io::MeshFormat::npy) return {with("_points.npy"), with("_cells.npy")};
   return {output.path};
 }
 
@@ -41,6 +55,10 @@ std::string identity(const std::string& path) {
   if (path == "-") return path;
   std::error_code ignored;
   return fs::weakly_canonical(fs::absolute(path, ignored), ignored).string();
+}
+
+bool makes_several_files(io::MeshFormat format) {
+  return format == io::MeshFormat::node_ele || format == io::MeshFormat::npy;
 }
 
 int most_dimension(io::MeshFormat format) {
@@ -66,12 +84,30 @@ int most_dimension(io::MeshFormat format) {
 
 }  // namespace
 
+void require_writable(const std::string& path) {
+  if (path == "-") return;
+  if (path.empty()) throw UsageError("-o: the name of the file is empty");
+  const fs::path place = follow_links(path);
+  const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
+  std::error_code ignored;
+  if (fs::is_directory(place, ignored)) throw UsageError(path + ": cannot write: it is a folder");
+  if (fs::exists(place, ignored) && access(place.c_str(), W_OK) != 0)
+    throw UsageError(path + ": cannot write: " + std::strerror(errno));
+  if (is_special(place)) return;
+  if (!fs::is_directory(folder, ignored))
+    throw UsageError(path + ": cannot write: there is no folder " + folder.string());
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+    throw UsageError(path + ": cannot write into folder " + folder.string() + ": " + std::strerror(errno));
+}
+
 std::vector<Output> plan_outputs(const std::vector<std::string>& paths, const std::string& format,
                                  const std::string& input) {
   std::vector<Output> outputs;
   std::map<std::string, std::string> taken;  // identity of a file: the -o that makes it
   for (const std::string& path : paths) {
     const Output output{path, format_of(path, format)};
+    if (path == "-" && makes_several_files(output.format))
+      throw UsageError("-o - --format " + format + ": this format is written in several files, not to standard output");
     for (const std::string& file : files_of(output)) {
       require_writable(file);
       const auto [earlier, is_new] = taken.emplace(identity(file), path);
@@ -95,6 +131,18 @@ void require_dimension(const std::vector<Output>& outputs, int dimension) {
       throw UsageError("-o " + output.path + ": this format holds points of dimension " + std::to_string(most) +
                        (most == 2 ? "" : " at most") + ", not " + std::to_string(dimension) +
                        "; choose coordinates with --columns, or another format");
+  }
+}
+
+void require_merged(const std::vector<Output>& outputs, int dimension) {
+  using enum io::MeshFormat;
+  for (const Output& output : outputs) {
+    if (output.format == cells || output.format == csv) continue;
+    const char* const fault = makes_several_files(output.format) ? "this format holds no merged cells"
+                              : dimension > 2                    ? "this format holds merged cells only in the plane"
+                                                                 : nullptr;
+    if (fault != nullptr)
+      throw UsageError("-o " + output.path + ": " + fault + "; write .cells or .csv, or leave out --merged");
   }
 }
 

@@ -19,7 +19,14 @@ struct Output {
 std::vector<Output> plan_outputs(const std::vector<std::string>& paths, const std::string& format,
                                  const std::string& input);
 
+/// Refuses what can be seen to be unwritable: no such folder, a folder in its place, no permission.
+/// @throws UsageError
+void require_writable(const std::string& path);
+
 /// @throws UsageError when a format cannot hold points of this dimension
 void require_dimension(const std::vector<Output>& outputs, int dimension);
+
+/// @throws UsageError when a format cannot hold merged cells of points of this dimension
+void require_merged(const std::vector<Output>& outputs, int dimension);
 
 }  // namespace delone::cli

@@ -8,6 +8,9 @@
 
 #include "delone/base/errors.hpp"
 #include "delone/base/ids.hpp"
+#include "io/npy.hpp"
+#include "io/output.hpp"
+#include "io/source.hpp"
 
 namespace delone::io {
 namespace {
@@ -299,6 +302,11 @@ void round_to_bits(const Rows& rows, int bits) {
 
 }  // namespace
 
+bool is_points_path(const std::string& path) {
+  const std::string extension = Source::extension(path);
+  return path == "-" || extension == "csv" || extension == "txt" || (extension == "npy" && path.ends_with("npy"));
+}
+
 std::vector<std::string> kinds() {
   std::vector<std::string> names;
   for (const Kind& kind : kKinds) names.emplace_back(kind.name);
@@ -323,6 +331,29 @@ Generated generate(const std::string& kind, std::size_t n, int dimension, std::u
   found.fill(random, rows);
   if (bits > 0 && n > 0) round_to_bits(rows, bits);
   return result;
+}
+
+void write_points(const std::string& path, const Generated& points) {
+  if (!is_points_path(path)) throw InputError(path + ": points are written as .csv, .txt or .npy");
+  const auto width = static_cast<std::size_t>(points.dimension);
+  Output output(path);
+  if (Source::extension(path) == "npy") {
+    output << npy_header("<f8", points.coordinates.size() / width, width);
+    for (const double x : points.coordinates) output.put(x);
+  } else {
+    for (std::size_t axis = 0; axis < width; ++axis) {
+      if (axis > 0) output << ',';
+      if (width <= 3) {
+        output << "xyz"[axis];
+      } else {
+        output.print("x{}", axis + 1);
+      }
+    }
+    output << '\n';
+    for (std::size_t i = 0; i < points.coordinates.size(); ++i)
+      output.print("{}{}", points.coordinates[i], i % width == width - 1 ? '\n' : ',');
+  }
+  output.commit();
 }
 
 }  // namespace delone::io

@@ -38,4 +38,12 @@ KindInfo kind_info(const std::string& kind);
 /// @throws InputError for an unknown kind or a dimension in which the kind does not exist
 Generated generate(const std::string& kind, std::size_t n, int dimension = 0, std::uint64_t seed = 1, int bits = 0);
 
+/// Can points be written to this path? "-" (standard output), .csv and .txt, also with .gz, and .npy.
+bool is_points_path(const std::string& path);
+
+/// Writes points as text with a header (x,y,z or x1,x2,...) and the shortest decimals that read back the same, or as
+/// NPY.
+/// @throws InputError when the extension says neither; std::runtime_error when writing fails
+void write_points(const std::string& path, const Generated& points);
+
 }  // namespace delone::io
