@@ -1,0 +1,116 @@
+// Small point sets, triangulated by the engine and by trying every subset: cells and the status of every row must
+// agree, and the exact check must pass. Input bytes: dimension and weights, how coordinates are coded, then the
+// coordinates. Most codes give few distinct values, since ties are where the engine can be wrong; the others reach
+// every double.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "delone/build/build.hpp"
+#include "delone/check/delaunay.hpp"
+#include "delone/mesh/export.hpp"
+#include "support/brute_force.hpp"
+
+namespace {
+
+using delone::Index;
+
+class Bytes {
+ public:
+  explicit Bytes(std::span<const std::uint8_t> left) : left_(left) {}
+  bool empty() const { return left_.empty(); }
+  std::uint8_t next() {
+    if (left_.empty()) return 0;
+    const std::uint8_t byte = left_.front();
+    left_ = left_.subspan(1);
+    return byte;
+  }
+  double raw_double() {
+    std::uint64_t bits = 0;
+    for (int i = 0; i < 8; ++i) bits = bits << 8 | next();
+    const double x = std::bit_cast<double>(bits);
+    return std::isfinite(x) ? x : 0.0;
+  }
+
+ private:
+  std::span<const std::uint8_t> left_;
+};
+
+/// One number in the coding that the input has chosen.
+double number(Bytes& bytes, int coding) {
+  const std::uint8_t byte = bytes.next();
+  const double small = static_cast<double>(byte % 8) - 3;
+  switch (coding) {
+    case 0:
+      return small;  // a lattice
+    case 1:
+      return static_cast<double>(static_cast<std::int8_t>(byte));  // a larger one
+    case 2:
+      return std::ldexp(small, byte / 8 * 4 - 64);  // mixed magnitudes
+    case 3:
+      return std::ldexp(small, 1020);  // close to overflow
+    case 4:
+      return std::ldexp(small, -1074);  // denormal
+    case 5:
+      return std::nextafter(small, byte < 128 ? 10.0 : -10.0);  // a lattice, just missed
+    case 6:
+      return 1e6 + small * 0.1;  // decimals far from the origin
+    default:
+      return bytes.raw_double();  // any double
+  }
+}
+
+void fail(const char* what) {
+  std::fprintf(stderr, "insert_fuzz: %s\n", what);
+  std::abort();
+}
+
+/// The subsets that brute force tries stay below a few hundred.
+constexpr std::size_t kMostPoints[] = {0, 10, 9, 8, 8};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Bytes bytes(std::span(data, size));
+  const std::uint8_t shape = bytes.next();
+  const int dimension = 1 + shape % 4;
+  const bool weighted = (shape & 16) != 0;
+  const int coding = bytes.next() % 8;
+  const int weight_coding = bytes.next() % 8;
+
+  std::vector<double> coordinates, weights;
+  for (std::size_t n = 0; n < kMostPoints[dimension] && !bytes.empty(); ++n) {
+    for (int axis = 0; axis < dimension; ++axis) coordinates.push_back(number(bytes, coding));
+    if (weighted) weights.push_back(number(bytes, weight_coding));
+  }
+  if (coordinates.empty()) return 0;
+  const delone::PointsView points(coordinates, dimension, weights);
+
+  const auto t = delone::build(points);
+  const auto truth = delone::test::brute_force(points);
+  if (t.affine_dimension() != truth.affine_dimension) fail("another affine dimension than brute force");
+
+  const auto table = delone::cells(t);
+  std::vector<std::vector<Index>> cells;
+  for (std::size_t c = 0; c < table.size(); ++c) {
+    cells.emplace_back(table[c].begin(), table[c].end());
+    std::ranges::sort(cells.back());
+  }
+  std::ranges::sort(cells);
+  if (cells != truth.cells) fail("other cells than brute force");
+
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    const auto status = t.status(static_cast<Index>(row));
+    if (static_cast<int>(status.status) != truth.status[row]) fail("another status of a row than brute force");
+    if (status.status == delone::Status::duplicate && status.of != truth.of[row]) fail("a duplicate of another row");
+  }
+  if (!delone::check(points, table, {.canonical = true}).passed()) fail("the exact check does not pass");
+  return 0;
+}
