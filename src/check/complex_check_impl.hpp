@@ -1,22 +1,23 @@
-// Why these checks prove that the cells are the regular triangulation of the points:
+// Why these checks prove that the cells are the regular triangulation of the points.
 //
-// (a) The boundary, the facets in one cell only, is that of a convex polytope. The point o is the barycentre of a cell.
-//     o is strictly inside of each boundary facet, so each facet maps one to one onto a spherical simplex about o. Each
-//     ridge is in exactly two of them, on opposite sides of the hyperplane through o and the ridge: a direction that
-//     crosses the image of a ridge leaves one facet and enters another. So the number of facets that a generic
-//     direction meets is constant (what is left of the sphere without its parts of codimension two is connected), and
-//     as one ray meets exactly one facet, all do: the boundary is star-shaped. Not reflex at any ridge, it is convex.
-// (b) The cells cover the polytope exactly once. Two cells at a facet lie on opposite sides of it, so the number of
-// cells
-//     over a generic point changes at the boundary only: it is constant inside, and 1 about o, which lies in one closed
-//     cell only.
+// Every cell has volume; a facet is in at most two cells, and two lie on opposite sides of it.
+// (a) The boundary, the facets in one cell only, is that of a convex polytope. The point o is the barycentre of a cell,
+//     strictly inside of each boundary facet, so each maps one to one onto a spherical simplex about o. Each ridge of
+//     the boundary is in exactly two of them, f and g. They are the ends of a chain of cells that turns one way about
+//     the ridge, so that the cells have f on their right and g on their left, say; so has o; hence f and g lie on
+//     opposite sides of the hyperplane through o and the ridge, and a direction that crosses the image of a ridge
+//     leaves one facet and enters another. So the number of facets that a direction meets is the same for all generic
+//     directions (a sphere without parts of codimension two is connected). One ray meets exactly one facet: so do all,
+//     the boundary is star-shaped. It is reflex at no ridge: it is convex.
+// (b) The cells cover the polytope exactly once. How many cells lie over a generic point changes at the boundary only,
+// by
+//     one; it is zero far away, hence zero outside and one inside.
 // (c) Heights over the cells are a function on a convex set, linear on each cell and convex across each facet: a convex
 //     function, the lower hull of the lifted vertices. Every other row must lie at a vertex, or above that hull.
 //
 // Source: Mehlhorn, Naeher, Schilz, Schirra, Seel, Seidel, Uhrig, "Checking geometric programs or verification of
-// geometric structures" (1999), section 2, which checks hulls by ridges and one ray.
-// Departure: the two facets at a ridge must also lie on opposite sides as seen from o; then no closed surface is
-// assumed.
+// geometric structures" (1999), section 2, which checks hulls by their ridges and one ray.
+// Departure: the boundary need not be known to be a closed surface; the cells inside of it see to that.
 #pragma once
 
 #include <algorithm>
@@ -49,7 +50,6 @@ class ComplexCheck {
     collect_boundary();
     if (!sound) return boundary_.size();  // what follows is about a complex without folds and flat cells
     check_boundary();
-    check_cover();
     if (violations_.none()) check_strays();
     return boundary_.size();
   }
@@ -76,7 +76,7 @@ class ComplexCheck {
     }
     return facet;
   }
-  /// The sign that a transposition chain from position i to the front brings.
+  /// The sign of the permutation that moves position i to the front.
   static int parity(std::size_t i) { return i % 2 == 0 ? 1 : -1; }
 
   /// The orientation of the simplex (apex of f, facet f): on which side of the facet its cell lies.
@@ -155,6 +155,7 @@ class ComplexCheck {
   }
 
   void check_boundary() {
+    const std::size_t before = violations_.count();
     const Cell centre = cell(0);
     std::vector<std::int8_t> about(boundary_.size());
     check_each(boundary_.size(), input_.threads, violations_, [&](std::size_t b, Violations& found) {
@@ -167,11 +168,11 @@ class ComplexCheck {
         });
       }
     });
-    check_ridges(about);
-    if (violations_.none()) check_ray(about);
+    check_ridges();
+    if (violations_.count() == before) check_ray(about);
   }
 
-  void check_ridges(const std::vector<std::int8_t>& about) {
+  void check_ridges() {
     constexpr std::size_t kRidges = static_cast<std::size_t>(K);  // of a facet
     std::vector<Index> rows;
     rows.reserve(boundary_.size() * kRidges);
@@ -200,11 +201,6 @@ class ComplexCheck {
           return in_words({&rows[other], 1}) + " is outside of boundary " + facet_in_words(f) + " of " +
                  cell_in_words(f / kCorners) + ": the boundary is not convex";
         });
-      } else if (about[b] * parity(r % kRidges) * about[other / kRidges] * parity(other % kRidges) >= 0) {
-        found.add([&] {
-          return "boundary " + facet_in_words(f) + " of " + cell_in_words(f / kCorners) + " is folded over " +
-                 facet_in_words(boundary_[other / kRidges]);
-        });
       }
     });
   }
@@ -228,37 +224,6 @@ class ComplexCheck {
                " lie behind each other: the boundary winds around more than once";
       });
     });
-  }
-
-  void check_cover() {
-    const Cell centre = cell(0);
-    check_each(cell_count() - 1, input_.threads, violations_, [&](std::size_t i, Violations& found) {
-      const std::size_t c = i + 1;
-      if (!boxes_meet(centre, cell(c))) return;
-      for (std::size_t f = c * kCorners; f < (c + 1) * kCorners; ++f) {
-        if (kernel_.orient_about(centre, facet(f)) * side(f) < 0) return;
-      }
-      found.add([&] { return cell_in_words(c) + " (" + in_words(cell(c)) + ") overlaps cell 0"; });
-    });
-  }
-
-  /// Whether the closed bounding boxes of two cells meet; comparing doubles is exact.
-  bool boxes_meet(const Cell& a, const Cell& b) const {
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(input_.points.dimension()); ++axis) {
-      const auto range = [&](const Cell& cell) {
-        double low = input_.points[cell[0]][axis];
-        double high = low;
-        for (const Index row : cell) {
-          low = std::min(low, input_.points[row][axis]);
-          high = std::max(high, input_.points[row][axis]);
-        }
-        return std::array{low, high};
-      };
-      const auto [low_a, high_a] = range(a);
-      const auto [low_b, high_b] = range(b);
-      if (high_a < low_b || high_b < low_a) return false;
-    }
-    return true;
   }
 
   void check_strays() {
