@@ -1,11 +1,14 @@
 // The .node and .ele files of Triangle and TetGen. Counts from 0 or from 1, told by the first row.
 // Columns of a .node file, by name or by number as they stand in the file: index, x, y, z, ..., attribute_1, ...,
 // marker.
+// Written: STEM.node with attributes and then the weight, STEM.ele and STEM.neigh, all counting from 0.
 #include <fmt/format.h>
 
 #include "delone/base/ids.hpp"
 #include "io/cell_rows.hpp"
 #include "io/complain.hpp"
+#include "io/facets.hpp"
+#include "io/mesh_io.hpp"
 #include "io/point_rows.hpp"
 #include "io/readers.hpp"
 
@@ -119,6 +122,45 @@ CellTable read_ele(const Source& source, std::size_t point_count) {
   }
   require_end(rows, count, "cell");
   return cells.take();
+}
+
+std::vector<std::string> write_node_ele(const std::string& stem, const MeshView& mesh) {
+  if (mesh.merged != nullptr) refuse_mesh("node", "cannot hold merged polytopes: write cells or csv");
+  const PointTable& points = mesh.points;
+  const auto dimension = static_cast<std::size_t>(points.dimension);
+  const std::vector<NamedNumbers> numbers = point_numbers(mesh);
+  const auto corners = static_cast<std::size_t>(mesh.cells.corners);
+  std::vector<Output> outputs;
+  for (const char* extension : {".node", ".ele", ".neigh"}) outputs.emplace_back(stem + extension);
+
+  outputs[0].print("{} {} {} 0\n", points.size(), dimension, numbers.size());
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    outputs[0] << row;
+    for (const double coordinate : points.view()[row]) outputs[0] << ' ' << coordinate;
+    for (const NamedNumbers& column : numbers) outputs[0] << ' ' << (*column.numbers)[row];
+    outputs[0] << '\n';
+  }
+  const std::vector<Index> neighbours = neighbours_of(mesh.cells);
+  const std::size_t announced = corners == 0 ? dimension + 1 : corners;
+  outputs[1].print("{} {} 0\n", mesh.cells.size(), announced);
+  outputs[2].print("{} {}\n", mesh.cells.size(), announced);
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    outputs[1] << cell;
+    outputs[2] << cell;
+    for (std::size_t i = 0; i < corners; ++i) {
+      const Index across = neighbours[cell * corners + i];
+      outputs[1] << ' ' << mesh.cells[cell][i];
+      if (across == kNone) {
+        outputs[2] << " -1";
+      } else {
+        outputs[2] << ' ' << across;
+      }
+    }
+    outputs[1] << '\n';
+    outputs[2] << '\n';
+  }
+  commit_all(outputs);
+  return {outputs[0].path(), outputs[1].path(), outputs[2].path()};
 }
 
 }  // namespace delone::io

@@ -1,3 +1,4 @@
+// Written: the pair STEM_points.npy, n x d doubles, and STEM_cells.npy, m x corners unsigned ids.
 #include "io/npy.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include "delone/base/ids.hpp"
 #include "io/bytes.hpp"
 #include "io/cell_rows.hpp"
+#include "io/mesh_io.hpp"
 #include "io/numbers.hpp"
 #include "io/point_matrix.hpp"
 #include "io/readers.hpp"
@@ -189,6 +191,20 @@ CellTable read_npy_cells(const Source& source, std::size_t point_count) {
     }
   }
   return cells.take();
+}
+
+std::vector<std::string> write_npy(const std::string& stem, const MeshView& mesh) {
+  if (mesh.merged != nullptr) refuse_mesh("npy", "cannot hold merged polytopes: write cells or csv");
+  std::vector<Output> outputs;
+  outputs.emplace_back(stem + "_points.npy");
+  outputs.emplace_back(stem + "_cells.npy");
+  outputs[0] << npy_header("<f8", mesh.points.size(), static_cast<std::size_t>(mesh.points.dimension));
+  for (const double coordinate : mesh.points.coordinates) outputs[0].put(coordinate);
+  outputs[1] << npy_header(sizeof(Index) == 4 ? "<u4" : "<u8", mesh.cells.size(),
+                           static_cast<std::size_t>(std::max(mesh.cells.corners, 1)));
+  for (const Index row : mesh.cells.vertices) outputs[1].put(row);
+  commit_all(outputs);
+  return {outputs[0].path(), outputs[1].path()};
 }
 
 }  // namespace delone::io

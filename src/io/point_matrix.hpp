@@ -1,6 +1,7 @@
 // Points from a matrix of doubles: shared by the binary formats.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -43,9 +44,12 @@ PointTable take_points(const std::string& file, const Columns& columns, const Re
     }
   }
   for (std::size_t k = 0; k < choice.attributes.size(); ++k) {
-    auto& numbers = table.attributes[k].numbers;
-    numbers.reserve(rows);
-    for (std::size_t row = 0; row < rows; ++row) numbers.push_back(value(row, choice.attributes[k]));
+    Attribute& attribute = table.attributes[k];
+    attribute.numbers.reserve(rows);
+    for (std::size_t row = 0; row < rows; ++row) attribute.numbers.push_back(value(row, choice.attributes[k]));
+    if (std::ranges::all_of(attribute.numbers, [](double number) { return std::isfinite(number); })) continue;
+    for (const double number : attribute.numbers) attribute.texts.push_back(fmt::format("{}", number));
+    attribute.numbers.clear();
   }
   return table;
 }

@@ -147,6 +147,13 @@ Source Source::borrow(std::string name, std::string_view bytes) {
   return source;
 }
 
+Source Source::part(std::string_view bytes) const {
+  Source source;
+  source.name_ = name_;
+  source.bytes_ = bytes;
+  return source;
+}
+
 std::string Source::extension(const std::string& path) {
   std::string name = path.substr(path.find_last_of('/') + 1);
   if (ends_in_gz(name)) name.resize(name.size() - 3);

@@ -18,6 +18,9 @@ class Source {
   /// The same from memory; `bytes` outlive the source.
   static Source borrow(std::string name, std::string_view bytes);
 
+  /// Some of the bytes under the same name.
+  Source part(std::string_view bytes) const;
+
   const std::string& name() const { return name_; }
   std::string_view bytes() const { return bytes_; }
 
