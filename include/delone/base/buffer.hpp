@@ -1,0 +1,98 @@
+// A growing array of plain numbers that is neither zeroed nor copied when it grows: large blocks move by remapping
+// pages, so a triangulation of a gigabyte grows without touching what it holds.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace delone {
+
+template <class T>
+class Buffer {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  Buffer() = default;
+  explicit Buffer(std::size_t size) { resize(size); }
+  Buffer(const Buffer& other) {
+    resize(other.size_);
+    if (size_ != 0) std::memcpy(data_, other.data_, size_ * sizeof(T));
+  }
+  Buffer(Buffer&& other) noexcept { swap(other); }
+  Buffer& operator=(Buffer other) noexcept {
+    swap(other);
+    return *this;
+  }
+  ~Buffer() { std::free(data_); }
+
+  void swap(Buffer& other) noexcept {
+    std::swap(data_, other.data_);
+    std::swap(size_, other.size_);
+    std::swap(capacity_, other.capacity_);
+  }
+
+  std::size_t size() const { return size_; }
+  std::size_t capacity() const { return capacity_; }
+  bool empty() const { return size_ == 0; }
+  T* data() { return data_; }
+  const T* data() const { return data_; }
+  T& operator[](std::size_t i) { return data_[i]; }
+  const T& operator[](std::size_t i) const { return data_[i]; }
+  T* begin() { return data_; }
+  T* end() { return data_ + size_; }
+  const T* begin() const { return data_; }
+  const T* end() const { return data_ + size_; }
+  operator std::span<const T>() const { return {data_, size_}; }
+
+  /// Room for `capacity` elements; on std::bad_alloc nothing has changed.
+  void reserve(std::size_t capacity) {
+    if (capacity > capacity_) reallocate(capacity);
+  }
+  /// Room for `extra` more elements, growing by half so that repeated calls cost O(1) each.
+  void reserve_more(std::size_t extra) {
+    if (size_ + extra > capacity_) reallocate(std::max(size_ + extra, capacity_ + capacity_ / 2));
+  }
+  /// New elements are not initialised.
+  void resize(std::size_t size) {
+    reserve(size);
+    size_ = size;
+  }
+  void resize(std::size_t size, T value) {
+    const std::size_t old = size_;
+    resize(size);
+    for (std::size_t i = old; i < size; ++i) data_[i] = value;
+  }
+  void push_back(T value) {
+    reserve_more(1);
+    data_[size_++] = value;
+  }
+  void clear() { size_ = 0; }
+  void shrink_to_fit() {
+    if (size_ == 0) {
+      Buffer().swap(*this);
+    } else if (size_ < capacity_) {
+      reallocate(size_);
+    }
+  }
+
+ private:
+  void reallocate(std::size_t capacity) {
+    void* moved =
+        capacity <= static_cast<std::size_t>(-1) / 2 / sizeof(T) ? std::realloc(data_, capacity * sizeof(T)) : nullptr;
+    if (moved == nullptr) throw std::bad_alloc();
+    data_ = static_cast<T*>(moved);
+    capacity_ = capacity;
+  }
+
+  T* data_ = nullptr;
+  std::size_t size_ = 0;
+  std::size_t capacity_ = 0;
+};
+
+}  // namespace delone

@@ -1,0 +1,284 @@
+// The kernel answers signs about sites and knows nothing about cells' links: filter, then the slow stages, then the tie
+// rule.
+//
+//   orient(v0 .. vK)      sign of det(v1 - v0, ..., vK - v0); exact, never perturbed: no flat cell can appear
+//   conflict(cell, q)     is the lifted q below the lifted hyperplane of a positive cell; never undecided, since ties
+//   are
+//                         broken by lowering heights (perturb.hpp)
+// Error bounds, u = 2^-53. Differences to a common vertex carry one rounding each; [Shewchuk97] section 4 bounds the
+// error of the determinants as written below by (3 + 16u)u, (7 + 56u)u, (10 + 96u)u, (16 + 224u)u times the permanent,
+// for orient 2D and 3D, incircle and insphere. With S the largest squared length of the differences, every permanent of
+// three unit rows is at most 3!/3^(3/2) < 1.155 [CLL06] and of two at most 1, so the permanent of insphere is at most 4
+// * 1.155 S^(5/2), that of incircle 3 S^2: bounds that cost one comparison. A weight difference of size W adds at most
+// W to the S of one lift.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "delone/exact/determinant.hpp"
+#include "delone/geometry/exact_predicates.hpp"
+#include "delone/geometry/perturb.hpp"
+#include "delone/geometry/sites.hpp"
+
+namespace delone {
+
+/// How many tests each stage decided.
+struct PredicateStats {
+  std::uint64_t orient_filter = 0;
+  std::uint64_t orient_exact = 0;
+  std::uint64_t conflict_filter = 0;
+  std::uint64_t conflict_adaptive = 0;
+  std::uint64_t conflict_exact = 0;
+  std::uint64_t conflict_symbolic = 0;
+
+  PredicateStats& operator+=(const PredicateStats& other);
+};
+
+namespace filter {
+
+inline constexpr int kUnsure = 2;
+inline constexpr double kU = 0x1p-53;
+/// Coordinates up to here: partial products of differences stay below 2^900, so that what underflows stays far below
+/// every bound that passes the checks on its size.
+inline constexpr double kLargest = 0x1p99;
+/// Below this, products of five differences may underflow and bounds lose their meaning.
+inline constexpr double kSmallestSquare = 0x1p-180;
+
+inline int sign_beyond(double value, double bound) { return value > bound ? 1 : (value < -bound ? -1 : kUnsure); }
+
+}  // namespace filter
+
+template <int K>
+class Kernel {
+  static constexpr std::size_t kCoordinates = K;
+
+ public:
+  using Cell = std::array<VertexId, K + 1>;
+
+  explicit Kernel(const Sites& sites)
+      : x_(sites.leading()),
+        others_(sites.others()),
+        weights_(sites.weights()),
+        other_count_(sites.dimension() - K),
+        plain_(other_count_ == 0 && weights_ == nullptr),
+        tame_(sites.magnitude() < filter::kLargest) {}
+
+  const double* at(VertexId v) const { return x_ + raw(v) * kCoordinates; }
+  const PredicateStats& stats() const { return stats_; }
+
+  /// Sign of det(v1 - v0, ..., vK - v0) of finite vertices.
+  int orient(const Cell& v) {
+    const int sign = filtered_orient(v);
+    if (sign != kUnsure) [[likely]] {
+      ++stats_.orient_filter;
+      return sign;
+    }
+    ++stats_.orient_exact;
+    return exact_orient(v);
+  }
+
+  /// Whether the lifted q lies below the hyperplane of a finite, positively oriented cell; ties are broken.
+  bool conflict(const Cell& cell, VertexId q) {
+    const int sign = filtered_conflict(cell, q);
+    if (sign != kUnsure) [[likely]] {
+      ++stats_.conflict_filter;
+      return sign > 0;
+    }
+    return slow_perturbed_conflict(cell, q);
+  }
+
+  /// Lexicographic order of two sites; equal only at the same place.
+  bool before(VertexId a, VertexId b) const {
+    for (std::size_t j = 0; j < kCoordinates; ++j) {
+      if (at(a)[j] != at(b)[j]) return at(a)[j] < at(b)[j];
+    }
+    return false;
+  }
+  bool same_place(VertexId a, VertexId b) const { return !before(a, b) && !before(b, a); }
+
+  // The stages one by one, for tests.
+  static constexpr int kUnsure = filter::kUnsure;
+  int filtered_orient(const Cell& v) const;
+  int filtered_conflict(const Cell& cell, VertexId q) const;
+  int exact_orient(const Cell& v) const;
+  SlowSign slow_conflict_sign(const Cell& cell, VertexId q) const;
+
+ private:
+  bool slow_perturbed_conflict(const Cell& cell, VertexId q);
+
+  const double* x_;
+  const double* others_;
+  const double* weights_;
+  int other_count_;
+  bool plain_;  // heights are |x|^2 of the leading coordinates and nothing else
+  bool tame_;   // no coordinate is so large that partial products could overflow, or drown others that underflow
+  PredicateStats stats_;
+};
+
+namespace filter {
+
+/// orient from the differences to v0, by Laplace expansion of the determinant and of its permanent.
+template <int K>
+int orient_of_differences(const Matrix<K, double>& m) {
+  if constexpr (K == 2) {
+    const double left = m[0][0] * m[1][1];
+    const double right = m[0][1] * m[1][0];
+    const double size = std::abs(left) + std::abs(right);
+    if (!(size > 0x1p-900)) return kUnsure;
+    return sign_beyond(left - right, 3.01 * kU * size);
+  } else {
+    // A product of K entries and the sums around it round at most 2K + K(K+1)/2 times, the differences once per factor.
+    const double value = determinant<K>(m);
+    const double size = absolute_permanent<K>(m);
+    if (!(size > 0x1p-400 && size < 0x1p400)) return kUnsure;
+    return sign_beyond(value, (K == 3 ? 7.1 : 2.1 * K + K * (K + 1) / 2) * kU * size);
+  }
+}
+
+}  // namespace filter
+
+template <int K>
+int Kernel<K>::filtered_orient(const Cell& v) const {
+  if constexpr (K != 1) {
+    if (!tame_) [[unlikely]]
+      return kUnsure;
+  }
+  const double* origin = at(v[0]);
+  if constexpr (K == 1) {
+    const double a = *origin;
+    const double b = *at(v[1]);
+    return b > a ? 1 : (b < a ? -1 : 0);
+  } else {
+    Matrix<K, double> m;
+    for (std::size_t i = 0; i < kCoordinates; ++i) {
+      const double* p = at(v[i + 1]);
+      for (std::size_t j = 0; j < kCoordinates; ++j) m[i][j] = p[j] - origin[j];
+    }
+    return filter::orient_of_differences<K>(m);
+  }
+}
+
+template <int K>
+int Kernel<K>::filtered_conflict(const Cell& cell, VertexId q) const {
+  using filter::kU;
+  if (!tame_) [[unlikely]]
+    return kUnsure;
+  const double* origin = at(q);
+  std::array<std::array<double, kCoordinates>, K + 1> d;
+  std::array<double, K + 1> lift;
+  double square = 0.0;  // S
+  for (std::size_t i = 0; i <= kCoordinates; ++i) {
+    const double* p = at(cell[i]);
+    double sum = 0.0;
+    for (std::size_t j = 0; j < kCoordinates; ++j) {
+      d[i][j] = p[j] - origin[j];
+      sum += d[i][j] * d[i][j];
+    }
+    lift[i] = sum;
+    square = sum > square ? sum : square;
+  }
+  double height = square;  // S + W
+  if (!plain_) [[unlikely]] {
+    for (std::size_t i = 0; i <= kCoordinates; ++i) {
+      double extra = 0.0;
+      double size = lift[i];
+      for (std::size_t j = 0; j < static_cast<std::size_t>(other_count_); ++j) {
+        const auto count = static_cast<std::size_t>(other_count_);
+        const double e = others_[raw(cell[i]) * count + j] - others_[raw(q) * count + j];
+        extra += e * e;
+      }
+      size += extra;
+      if (weights_ != nullptr) {
+        const double w = weights_[raw(cell[i])] - weights_[raw(q)];
+        extra -= w;
+        size += std::abs(w);
+      }
+      lift[i] += extra;
+      height = size > height ? size : height;
+    }
+  }
+  if (!(square > filter::kSmallestSquare && height < 0x1p190)) return kUnsure;
+
+  if constexpr (K == 1) {
+    const double value = d[1][0] * lift[0] - d[0][0] * lift[1];
+    return filter::sign_beyond(value, 16.0 * kU * std::sqrt(square) * height);
+  } else if constexpr (K == 2) {
+    const double value = lift[0] * (d[1][0] * d[2][1] - d[2][0] * d[1][1]) +
+                         lift[1] * (d[2][0] * d[0][1] - d[0][0] * d[2][1]) +
+                         lift[2] * (d[0][0] * d[1][1] - d[1][0] * d[0][1]);
+    return filter::sign_beyond(value, 3 * 12.1 * kU * square * height);
+  } else if constexpr (K == 3) {
+    const double ab = d[0][0] * d[1][1] - d[1][0] * d[0][1];
+    const double bc = d[1][0] * d[2][1] - d[2][0] * d[1][1];
+    const double cd = d[2][0] * d[3][1] - d[3][0] * d[2][1];
+    const double da = d[3][0] * d[0][1] - d[0][0] * d[3][1];
+    const double ac = d[0][0] * d[2][1] - d[2][0] * d[0][1];
+    const double bd = d[1][0] * d[3][1] - d[3][0] * d[1][1];
+    const double abc = d[0][2] * bc - d[1][2] * ac + d[2][2] * ab;
+    const double bcd = d[1][2] * cd - d[2][2] * bd + d[3][2] * bc;
+    const double cda = d[2][2] * da + d[3][2] * ac + d[0][2] * cd;
+    const double dab = d[3][2] * ab + d[0][2] * bd + d[1][2] * da;
+    const double value = (lift[3] * abc - lift[2] * dab) + (lift[1] * cda - lift[0] * bcd);
+    // |value| > c (S + W) S^(3/2), squared on both sides: no root.
+    constexpr double c = 4 * 1.155 * 18.1 * kU;
+    if (value * value > (c * c * (1 + 0x1p-40)) * (square * square * square) * (height * height)) {
+      return value < 0 ? 1 : -1;
+    }
+    return kUnsure;
+  } else {
+    Matrix<K + 1, double> m;
+    std::array<double, K> maxima{};
+    for (std::size_t i = 0; i <= kCoordinates; ++i) {
+      for (std::size_t j = 0; j < kCoordinates; ++j) {
+        m[i][j] = d[i][j];
+        maxima[j] = std::max(maxima[j], std::abs(d[i][j]));
+      }
+      m[i][K] = lift[i];
+    }
+    double size = height;
+    for (int j = 1; j <= K + 1; ++j) size *= j;
+    for (const double x : maxima) size *= x;
+    if (!(size > 0x1p-900 && size < 0x1p900)) return kUnsure;
+    constexpr int roundings = 2 * (K + 1) + (K + 1) * (K + 2) / 2 + K + kMaxDimension + 4;
+    const int sign = filter::sign_beyond(determinant<K + 1>(m), 1.01 * roundings * kU * size);
+    return sign == kUnsure || K % 2 == 0 ? sign : -sign;
+  }
+}
+
+template <int K>
+int Kernel<K>::exact_orient(const Cell& v) const {
+  std::array<const double*, K + 1> points;
+  for (std::size_t i = 0; i <= kCoordinates; ++i) points[i] = at(v[i]);
+  return slow_orient<K>(points).sign;
+}
+
+template <int K>
+SlowSign Kernel<K>::slow_conflict_sign(const Cell& cell, VertexId q) const {
+  SiteRefs<K, K + 2> refs;
+  refs.other_count = other_count_;
+  refs.weighted = weights_ != nullptr;
+  for (std::size_t i = 0; i < K + 2; ++i) {
+    const VertexId v = i <= kCoordinates ? cell[i] : q;
+    refs.leading[i] = at(v);
+    refs.others[i] = others_ + raw(v) * static_cast<std::size_t>(other_count_);
+    refs.weights[i] = refs.weighted ? weights_[raw(v)] : 0.0;
+  }
+  return slow_conflict<K>(refs);
+}
+
+template <int K>
+bool Kernel<K>::slow_perturbed_conflict(const Cell& cell, VertexId q) {
+  const SlowSign slow = slow_conflict_sign(cell, q);
+  if (slow.sign != 0) {
+    ++(slow.stage == Stage::adaptive ? stats_.conflict_adaptive : stats_.conflict_exact);
+    return slow.sign > 0;
+  }
+  ++stats_.conflict_symbolic;
+  return perturbed_conflict<K>(
+      cell, q, [this](VertexId a, VertexId b) { return before(a, b); }, [this](const Cell& v) { return orient(v); });
+}
+
+}  // namespace delone

@@ -1,0 +1,87 @@
+// The points as a triangulation keeps them: numbered by VertexId in the order of insertion, which follows a curve
+// through space, so that neighbours in space are neighbours in memory. Input rows are names, looked up only at the
+// door.
+//
+// In a flat of dimension k < D the complex has dimension k: orientation is taken on k coordinate axes on which the
+// points stay independent, heights from all D coordinates (an affine map does not change the lower hull). Hence the
+// split: `k` leading coordinates per site in one array, the D - k others, which only heights see, in another.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "delone/base/buffer.hpp"
+#include "delone/base/ids.hpp"
+#include "delone/geometry/points.hpp"
+
+namespace delone {
+
+/// The flat that points span: its dimension and the axes that stay independent on it, ascending.
+/// Chosen greedily from axis 0 on, so that comparing points on these axes compares them on all.
+struct Flat {
+  int dimension = -1;
+  std::array<int, kMaxDimension> axes{};
+
+  bool operator==(const Flat&) const = default;
+};
+
+class Sites {
+ public:
+  explicit Sites(int dimension, bool weighted = false, Flat flat = {});
+
+  int dimension() const { return dimension_; }
+  const Flat& flat() const { return flat_; }
+  bool weighted() const { return weighted_; }
+  std::size_t size() const { return row_of_.size(); }
+
+  /// k leading coordinates per site; D - k others; weights, empty when there are none.
+  const double* leading() const { return leading_.data(); }
+  const double* others() const { return others_.data(); }
+  const double* weights() const { return weighted_ ? weights_.data() : nullptr; }
+  /// The largest absolute coordinate so far.
+  double magnitude() const { return magnitude_; }
+  double weight(VertexId v) const { return weighted_ ? weights_[raw(v)] : 0.0; }
+  /// Coordinate of `v` on one of the D axes of the input.
+  double coordinate(VertexId v, int axis) const {
+    const auto place = static_cast<std::size_t>(place_of_axis_[static_cast<std::size_t>(axis)]);
+    const auto k = static_cast<std::size_t>(leading_count_);
+    return place < k ? leading_[raw(v) * k + place]
+                     : others_[raw(v) * (static_cast<std::size_t>(dimension_) - k) + place - k];
+  }
+
+  Index row(VertexId v) const { return row_of_[raw(v)]; }
+  VertexId vertex(Index row) const { return VertexId{vertex_of_[row]}; }
+  /// Equal points may trade their rows.
+  void swap_rows(VertexId a, VertexId b);
+
+  /// Room for `count` more sites; on std::bad_alloc nothing has changed.
+  void reserve_more(std::size_t count);
+  /// Appends row `row` of the input; rows are appended in any order, each once. Requires reserved room.
+  VertexId append(std::span<const double> point, double weight, Index row);
+  /// Makes room for rows below `count` to be named.
+  void grow_rows(std::size_t count) { vertex_of_.resize(count, kNone); }
+  /// Takes back the last site.
+  void drop_last();
+  /// Whether two sites have the same coordinates.
+  bool same_place(VertexId a, VertexId b) const;
+  void shrink();
+
+  std::size_t memory_bytes() const {
+    return (leading_.capacity() + others_.capacity() + weights_.capacity()) * sizeof(double) +
+           (row_of_.capacity() + vertex_of_.capacity()) * sizeof(Index);
+  }
+
+ private:
+  int dimension_;
+  bool weighted_;
+  Flat flat_;
+  int leading_count_;
+  std::array<int, kMaxDimension> axis_at_place_{};  // leading axes first, then the others, both ascending
+  std::array<int, kMaxDimension> place_of_axis_{};
+  double magnitude_ = 0.0;
+  Buffer<double> leading_, others_, weights_;
+  Buffer<Index> row_of_, vertex_of_;
+};
+
+}  // namespace delone

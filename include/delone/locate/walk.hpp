@@ -1,0 +1,73 @@
+// Point location by walking: from cell to cell across facets that separate the cell from the point.
+// Source: [For92] 4.3; the visibility walk ends on Delaunay and regular triangulations because it climbs the lower
+// hull. It is bounded all the same, and past the bound every cell is looked at.
+#pragma once
+
+#include <cstdint>
+
+#include "delone/geometry/kernel.hpp"
+#include "delone/topology/complex.hpp"
+
+namespace delone {
+
+struct WalkStats {
+  std::uint64_t steps = 0;
+  std::uint64_t fallbacks = 0;
+};
+
+/// The closed cell that contains q (see walk), by looking at every cell.
+template <int K>
+CellId exhaustive_locate(const ComplexView<K>& complex, Kernel<K>& kernel, VertexId q) {
+  for (std::size_t s = 0; s < complex.slot_count(); ++s) {
+    const CellId c{static_cast<Index>(s)};
+    if (!complex.is_live(c)) continue;
+    auto v = complex.vertices(c);
+    const int ghost = complex.ghost_slot(c);
+    bool inside = true;
+    for (int i = 0; i <= K && inside; ++i) {
+      if (ghost >= 0 && i != ghost) continue;
+      const VertexId apex = v[static_cast<std::size_t>(i)];
+      v[static_cast<std::size_t>(i)] = q;
+      const int side = kernel.orient(v);
+      v[static_cast<std::size_t>(i)] = apex;
+      inside = ghost >= 0 ? side > 0 : side >= 0;
+    }
+    if (inside) return c;
+  }
+  DELONE_ASSERT(false, "I6 the cells cover space");
+  return kNoCell;
+}
+
+/// The closed cell that contains q: finite if q lies in the hull, else a ghost cell whose facet q lies strictly beyond.
+/// @param start  any live cell; a near one is fast
+template <int K>
+CellId walk(const ComplexView<K>& complex, Kernel<K>& kernel, VertexId q, CellId start, WalkStats& stats) {
+  CellId c = start;
+  if (const int ghost = complex.ghost_slot(c); ghost >= 0) c = complex.cell(complex.twin(c, ghost));
+  int entered = -1;  // the facet that the walk came through: q lies on this side of it
+  for (std::uint64_t left = 16 + 4 * static_cast<std::uint64_t>(complex.slot_count()); left != 0; --left) {
+    auto v = complex.vertices(c);
+    int leave = -1;
+    for (int i = 0; i <= K; ++i) {
+      if (i == entered) continue;
+      const VertexId apex = v[static_cast<std::size_t>(i)];
+      v[static_cast<std::size_t>(i)] = q;
+      const int side = kernel.orient(v);
+      v[static_cast<std::size_t>(i)] = apex;
+      if (side < 0) {
+        leave = i;
+        break;
+      }
+    }
+    if (leave < 0) return c;
+    ++stats.steps;
+    const FacetId across = complex.twin(c, leave);
+    c = complex.cell(across);
+    if (complex.is_ghost(c)) return c;
+    entered = complex.slot(across);
+  }
+  ++stats.fallbacks;
+  return exhaustive_locate(complex, kernel, q);
+}
+
+}  // namespace delone

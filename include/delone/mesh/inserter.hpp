@@ -1,0 +1,143 @@
+// Insert vertices one after the other: locate, find the cavity, fill it with the star.
+// Source: [For92] 4.3; redundant points as in [ES96] 2.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "delone/locate/walk.hpp"
+#include "delone/mesh/cavity.hpp"
+#include "delone/mesh/edit.hpp"
+#include "delone/mesh/triangulation.hpp"
+
+namespace delone {
+
+/// What to do with site q that stands at the place of vertex v: nothing when q is heavier and must be inserted. Of
+/// equal points the one with the lowest row is the vertex, whichever came first. Requires room for one more duplicate.
+inline std::optional<Outcome> meet_at_same_place(Mesh& mesh, VertexId q, VertexId v) {
+  const double wq = mesh.sites.weight(q);
+  const double wv = mesh.sites.weight(v);
+  if (wq > wv) return std::nullopt;
+  if (wq < wv) return Outcome::hidden;
+  mesh.duplicates.push_back({q, v});
+  if (mesh.sites.row(q) < mesh.sites.row(v)) mesh.sites.swap_rows(q, v);
+  return Outcome::duplicate;
+}
+
+/// Sees the mesh with its dimension K >= 1 as a constant. Sites are appended before it is made, and stay where they
+/// are.
+template <int K>
+class Inserter {
+ public:
+  explicit Inserter(Mesh& mesh) : mesh_(&mesh), complex_(mesh.complex), kernel_(mesh.sites), scratch_(&mesh.scratch) {}
+  ~Inserter() { mesh_->statistics.predicates += kernel_.stats(); }
+  Inserter(const Inserter&) = delete;
+  Inserter& operator=(const Inserter&) = delete;
+
+  /// Inserts site q, which is in no cell yet, starting the walk from the live cell `start`.
+  /// On std::bad_alloc the mesh is as it was. Cost: the walk, then O(K * cells changed).
+  Outcome insert(VertexId q, CellId start) {
+    WalkStats walked;
+    const CellId c = walk(complex_, kernel_, q, start, walked);
+    mesh_->statistics.walk_steps += walked.steps;
+    mesh_->statistics.walk_fallbacks += walked.fallbacks;
+    last_ = c;
+    if (const VertexId v = vertex_at_place_of(q, c); v != kGhost) {
+      mesh_->reserve_duplicate();
+      if (const auto outcome = meet_at_same_place(*mesh_, q, v)) return *outcome;
+    } else if (mesh_->sites.weighted() && !in_conflict(complex_, kernel_, c, q)) {
+      return Outcome::hidden;  // without weights a point inside a cell is inside its circumscribing ball
+    }
+    replace_cavity(q, c);
+    return Outcome::inserted;
+  }
+
+  /// A live cell close to the last insertion.
+  CellId last_cell() const { return last_; }
+  /// What the last insertion changed, if its outcome was `inserted`; valid until the next.
+  Edit edit(VertexId q) const { return {q, scratch_->removed, scratch_->created}; }
+
+ private:
+  VertexId vertex_at_place_of(VertexId q, CellId c) const {
+    for (const VertexId v : complex_.vertices(c)) {
+      if (v != kGhost && kernel_.same_place(v, q)) return v;
+    }
+    return kGhost;
+  }
+
+  void replace_cavity(VertexId q, CellId start) {
+    scratch_->reserve_marks(complex_.slot_count());
+    find_cavity(complex_, kernel_, q, start, *scratch_);
+    mesh_->complex.reserve_more(scratch_->boundary.size(), mesh_->sites.size());
+    scratch_->prepare_star(complex_.slot_count());
+    fill_cavity(complex_, q, *scratch_);  // from here on nothing fails
+    ++mesh_->vertex_count;
+    if (mesh_->sites.weighted()) hide_swallowed_vertices();
+    for (const CellId c : scratch_->removed) complex_.destroy(c);
+    scratch_->clean_marks();
+    mesh_->statistics.cells_created += scratch_->created.size();
+    last_ = scratch_->created.front();
+  }
+
+  /// Vertices whose whole star lay in the cavity have become redundant.
+  void hide_swallowed_vertices() {
+    for (const CellId c : scratch_->removed) {
+      for (const VertexId v : complex_.vertices(c)) {
+        if (v == kGhost || !complex_.has_vertex(v)) continue;
+        if (scratch_->marks[raw(complex_.incident_cell(v))] != Scratch::conflicting) continue;
+        complex_.forget(v);
+        --mesh_->vertex_count;
+      }
+    }
+  }
+
+  Mesh* mesh_;
+  ComplexView<K> complex_;
+  Kernel<K> kernel_;
+  Scratch* scratch_;
+  CellId last_ = kNoCell;
+};
+
+/// Makes the first cells of an empty complex: the simplex of sites 0 to K, positively oriented, and a ghost cell on
+/// each of its facets. Room has been reserved.
+template <int K>
+void make_first_cells(Mesh& mesh) {
+  ComplexView<K> complex(mesh.complex);
+  std::array<VertexId, K + 1> simplex;
+  for (std::size_t i = 0; i < simplex.size(); ++i) simplex[i] = VertexId{static_cast<Index>(i)};
+  if constexpr (K >= 1) {
+    if (Kernel<K>(mesh.sites).orient(simplex) < 0) std::swap(simplex[0], simplex[1]);
+  }
+  const auto make = [&](const std::array<VertexId, K + 1>& vertices) {
+    const CellId c = complex.create();
+    for (int i = 0; i <= K; ++i) complex.set_vertex(c, i, vertices[static_cast<std::size_t>(i)]);
+    complex.settle(c);
+    return c;
+  };
+  const CellId finite = make(simplex);
+  std::array<CellId, K + 1> ghosts;
+  for (std::size_t i = 0; i < simplex.size(); ++i) {
+    auto vertices = simplex;
+    vertices[i] = kGhost;
+    // Seen from outside the facet turns over (I3): one swap, which also takes the ghost to the last slot (I4).
+    if constexpr (K >= 1) {
+      if (K == 1 || i != K) {
+        std::swap(vertices[i], vertices[K == 1 ? 1 - i : K]);
+      } else {
+        std::swap(vertices[0], vertices[1]);
+      }
+    }
+    ghosts[i] = make(vertices);
+    complex.link(complex.facet(finite, static_cast<int>(i)),
+                 complex.facet(ghosts[i], complex.slot_of(ghosts[i], kGhost)));
+    for (std::size_t j = 0; j < i; ++j) {
+      complex.link(complex.facet(ghosts[i], complex.slot_of(ghosts[i], simplex[j])),
+                   complex.facet(ghosts[j], complex.slot_of(ghosts[j], simplex[i])));
+    }
+  }
+  mesh.vertex_count = K + 1;
+}
+
+}  // namespace delone

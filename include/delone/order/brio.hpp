@@ -1,0 +1,19 @@
+// The order in which points are inserted: random rounds of growing size, each along Hilbert's curve.
+// Source: [ACR03] (biased randomized insertion order: the expected bounds of random insertion hold, memory stays
+// local). Departure: rounds grow eightfold, not twofold, so that seven points of eight lie in one sweep of the curve.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "delone/base/ids.hpp"
+#include "delone/geometry/points.hpp"
+
+namespace delone {
+
+/// A permutation of the rows of `points`.
+/// @param axes  the coordinate axes that span the points (at least one; at most kMaxDimension)
+/// Cost: O(n), a radix sort; where points crowd into one cell of the grid the crowd is sorted again on a finer grid.
+std::vector<Index> brio_order(PointsView points, std::span<const int> axes);
+
+}  // namespace delone

@@ -1,0 +1,173 @@
+// A closed simplicial complex as integer arrays: cells as half-facets, one ghost vertex that closes the hull, no
+// numbers.
+//
+// Facet f = cell * (K + 1) + i is the facet of `cell` opposite its i-th vertex; vertex(f) is that vertex, twin(f) the
+// same facet seen from the neighbouring cell. In 2D it is the half-edge, in 3D the half-face; above, nothing changes.
+// A cell is 2 (K + 1) ids in a row, vertices before twins: 24 bytes a triangle, 32 bytes a tetrahedron.
+// The complex stores its own dimension; algorithms see it through ComplexView<K>, where the dimension is constant.
+// Invariants I1 to I6: INVARIANTS.md.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+
+#include "delone/base/assert.hpp"
+#include "delone/base/buffer.hpp"
+#include "delone/base/ids.hpp"
+
+namespace delone {
+
+class Complex {
+ public:
+  /// An empty complex of dimension -1 (no cell can exist) to 8.
+  explicit Complex(int dimension = -1) : dimension_(dimension) {}
+
+  int dimension() const { return dimension_; }
+  int corners() const { return dimension_ + 1; }
+
+  /// Slots of cells, dead ones included: every CellId lies below.
+  std::size_t slot_count() const { return dimension_ < 0 ? 0 : ids_.size() / stride(); }
+  std::size_t live_count() const { return live_; }
+  std::size_t ghost_count() const { return ghosts_; }
+  std::size_t vertex_slots() const { return incident_.size(); }
+
+  bool is_live(CellId c) const { return ids_[raw(c) * stride()] != kDead; }
+  VertexId vertex(CellId c, int i) const { return VertexId{ids_[raw(c) * stride() + static_cast<std::size_t>(i)]}; }
+  FacetId twin(CellId c, int i) const {
+    return FacetId{ids_[raw(c) * stride() + static_cast<std::size_t>(corners() + i)]};
+  }
+  bool is_ghost(CellId c) const {
+    for (int i = 0; i < corners(); ++i) {
+      if (vertex(c, i) == kGhost) return true;
+    }
+    return false;
+  }
+  CellId cell(FacetId f) const { return CellId{raw(f) / static_cast<Index>(corners())}; }
+  int slot(FacetId f) const { return static_cast<int>(raw(f) % static_cast<Index>(corners())); }
+
+  /// A live cell that has `v`, or kNoCell when `v` is not in the complex. The ghost has one too.
+  CellId incident_cell(VertexId v) const { return v == kGhost ? ghost_cell_ : CellId{incident_[raw(v)]}; }
+
+  std::size_t memory_bytes() const { return (ids_.capacity() + incident_.capacity()) * sizeof(Index); }
+
+  /// Room for `cells` more cells and vertices below `vertex_slots`; on std::bad_alloc nothing has changed.
+  void reserve_more(std::size_t cells, std::size_t vertex_slots);
+  /// Vertices below `count` may be used; new ones are in no cell. Requires reserved room.
+  void grow_vertices(std::size_t count) { incident_.resize(count, kNone); }
+  /// Gives back what growth left over.
+  void shrink();
+  /// Refills the incident cell of every vertex from the cells.
+  void rebuild_incidence();
+
+ private:
+  template <int K>
+  friend class ComplexView;
+
+  static constexpr Index kDead = kNone - 1;  // stands in the first vertex of a dead cell
+
+  std::size_t stride() const { return 2 * static_cast<std::size_t>(corners()); }
+
+  int dimension_;
+  Buffer<Index> ids_;
+  Buffer<Index> incident_;
+  CellId ghost_cell_ = kNoCell;
+  Index free_ = kNone;  // first dead cell; the next one stands in its second id
+  std::size_t live_ = 0;
+  std::size_t ghosts_ = 0;
+};
+
+/// The complex with its dimension known to the compiler; cheap to copy, valid as long as the complex.
+template <int K>
+class ComplexView {
+  static constexpr Index kCorners = K + 1;
+
+ public:
+  explicit ComplexView(Complex& complex) : complex_(&complex) {
+    DELONE_ASSERT(complex.dimension() == K, "the view has the dimension of the complex");
+  }
+
+  static CellId cell(FacetId f) { return CellId{raw(f) / kCorners}; }
+  static int slot(FacetId f) { return static_cast<int>(raw(f) % kCorners); }
+  static FacetId facet(CellId c, int i) { return FacetId{raw(c) * kCorners + static_cast<Index>(i)}; }
+
+  VertexId vertex(CellId c, int i) const { return VertexId{base(c)[i]}; }
+  FacetId twin(CellId c, int i) const { return FacetId{base(c)[kCorners + static_cast<Index>(i)]}; }
+  std::array<VertexId, kCorners> vertices(CellId c) const {
+    std::array<VertexId, kCorners> copy;
+    std::memcpy(copy.data(), base(c), sizeof copy);
+    return copy;
+  }
+  VertexId vertex(FacetId f) const { return vertex(cell(f), slot(f)); }
+  FacetId twin(FacetId f) const { return twin(cell(f), slot(f)); }
+  /// The slot of a vertex that `c` has.
+  int slot_of(CellId c, VertexId v) const {
+    int i = 0;
+    while (vertex(c, i) != v) ++i;
+    DELONE_ASSERT(i <= K, "the cell has the vertex");
+    return i;
+  }
+
+  /// Slot of the ghost, or -1 in a finite cell. Above dimension 1 the ghost always stands last (I4).
+  int ghost_slot(CellId c) const {
+    if constexpr (K == 1) {
+      if (vertex(c, 0) == kGhost) return 0;
+    }
+    return vertex(c, K) == kGhost ? K : -1;
+  }
+  bool is_ghost(CellId c) const { return ghost_slot(c) >= 0; }
+  bool is_live(CellId c) const { return *base(c) != Complex::kDead; }
+  std::size_t slot_count() const { return complex_->ids_.size() / (2 * kCorners); }
+  CellId incident_cell(VertexId v) const { return complex_->incident_cell(v); }
+  bool has_vertex(VertexId v) const { return incident_cell(v) != kNoCell; }
+
+  // Changes. Room must have been reserved; none of these fails.
+
+  /// A cell whose ids are not yet set.
+  CellId create() {
+    ++complex_->live_;
+    if (complex_->free_ != kNone) {
+      const CellId c{complex_->free_};
+      complex_->free_ = base(c)[1];
+      return c;
+    }
+    const CellId c{static_cast<Index>(slot_count())};
+    complex_->ids_.resize(complex_->ids_.size() + 2 * kCorners);
+    return c;
+  }
+  void destroy(CellId c) {
+    --complex_->live_;
+    complex_->ghosts_ -= is_ghost(c) ? 1 : 0;
+    base(c)[0] = Complex::kDead;
+    base(c)[1] = complex_->free_;
+    complex_->free_ = raw(c);
+  }
+  void set_vertex(CellId c, int i, VertexId v) { base(c)[i] = raw(v); }
+  void set_twin(CellId c, int i, FacetId f) { base(c)[kCorners + static_cast<Index>(i)] = raw(f); }
+  void link(FacetId f, FacetId g) {
+    set_twin(cell(f), slot(f), g);
+    set_twin(cell(g), slot(g), f);
+  }
+  /// Makes `c`, whose vertices are set, the incident cell of each of them.
+  void settle(CellId c) {
+    for (int i = 0; i < (K == 1 ? 2 : K); ++i) {
+      if (vertex(c, i) != kGhost) complex_->incident_[raw(vertex(c, i))] = raw(c);
+    }
+    if (const int g = ghost_slot(c); g >= 0) {
+      complex_->ghost_cell_ = c;
+      ++complex_->ghosts_;
+    } else if constexpr (K != 1) {
+      complex_->incident_[raw(vertex(c, K))] = raw(c);
+    }
+  }
+  void forget(VertexId v) { complex_->incident_[raw(v)] = kNone; }
+
+  void prefetch(CellId c) const { __builtin_prefetch(base(c)); }
+
+ private:
+  Index* base(CellId c) const { return complex_->ids_.data() + raw(c) * (2 * std::size_t{kCorners}); }
+
+  Complex* complex_;
+};
+
+}  // namespace delone

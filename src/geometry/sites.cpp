@@ -1,0 +1,75 @@
+#include "delone/geometry/sites.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace delone {
+
+Sites::Sites(int dimension, bool weighted, Flat flat)
+    : dimension_(dimension), weighted_(weighted), flat_(flat), leading_count_(std::max(flat.dimension, 0)) {
+  const auto k = static_cast<std::size_t>(leading_count_);
+  std::size_t next_other = k;
+  for (int axis = 0; axis < dimension; ++axis) {
+    const auto* const found = std::find(flat.axes.begin(), flat.axes.begin() + leading_count_, axis);
+    const auto leading = static_cast<std::size_t>(found - flat.axes.begin());
+    const std::size_t place = leading < k ? leading : next_other++;
+    axis_at_place_[place] = axis;
+    place_of_axis_[static_cast<std::size_t>(axis)] = static_cast<int>(place);
+  }
+}
+
+void Sites::swap_rows(VertexId a, VertexId b) {
+  std::swap(vertex_of_[row(a)], vertex_of_[row(b)]);
+  std::swap(row_of_[raw(a)], row_of_[raw(b)]);
+}
+
+void Sites::reserve_more(std::size_t count) {
+  const auto k = static_cast<std::size_t>(leading_count_);
+  const auto d = static_cast<std::size_t>(dimension_);
+  leading_.reserve_more(count * k);
+  others_.reserve_more(count * (d - k));
+  if (weighted_) weights_.reserve_more(count);
+  row_of_.reserve_more(count);
+  vertex_of_.reserve_more(count);
+}
+
+VertexId Sites::append(std::span<const double> point, double weight, Index row) {
+  const VertexId v{static_cast<Index>(size())};
+  for (std::size_t place = 0; place < point.size(); ++place) {
+    const double x = point[static_cast<std::size_t>(axis_at_place_[place])];
+    magnitude_ = std::max(magnitude_, std::abs(x));
+    (place < static_cast<std::size_t>(leading_count_) ? leading_ : others_).push_back(x);
+  }
+  if (weighted_) weights_.push_back(weight);
+  row_of_.push_back(row);
+  if (row >= vertex_of_.size()) grow_rows(row + std::size_t{1});
+  vertex_of_[row] = raw(v);
+  return v;
+}
+
+void Sites::drop_last() {
+  const auto k = static_cast<std::size_t>(leading_count_);
+  const auto d = static_cast<std::size_t>(dimension_);
+  const VertexId last{static_cast<Index>(size() - 1)};
+  vertex_of_[row(last)] = kNone;
+  if (row(last) + std::size_t{1} == vertex_of_.size()) vertex_of_.resize(row(last));
+  leading_.resize(leading_.size() - k);
+  others_.resize(others_.size() - (d - k));
+  if (weighted_) weights_.resize(weights_.size() - 1);
+  row_of_.resize(row_of_.size() - 1);
+}
+
+bool Sites::same_place(VertexId a, VertexId b) const {
+  const auto k = static_cast<std::size_t>(leading_count_);
+  return std::equal(leading_.data() + raw(a) * k, leading_.data() + (raw(a) + std::size_t{1}) * k,
+                    leading_.data() + raw(b) * k);
+}
+
+void Sites::shrink() {
+  for (Buffer<double>* buffer : {&leading_, &others_, &weights_}) buffer->shrink_to_fit();
+  row_of_.shrink_to_fit();
+  vertex_of_.shrink_to_fit();
+}
+
+}  // namespace delone
