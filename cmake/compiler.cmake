@@ -30,7 +30,8 @@ endif()
 target_compile_options(delone_flags INTERFACE $<$<CONFIG:Release>:-O3>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(delone_flags INTERFACE -Wno-pedantic            # __int128
-    -Wno-maybe-uninitialized)  # g++ 12 mistakes unrolled loops that fill small matrices
+    -Wno-maybe-uninitialized   # g++ 12 mistakes unrolled loops that fill small matrices
+    -Wno-restrict)             # and inlined std::string operations (its bug 105651)
 endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   target_compile_options(delone_flags INTERFACE -Wno-gnu -Wno-pedantic)
