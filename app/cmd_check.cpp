@@ -71,15 +71,16 @@ void add_check(CLI::App& app, Command& chosen) {
   add_point_input(*command, options->input, "POINTS");
   command
       ->add_option("CELLS", options->cells,
-                   "Cells as rows of zero-based ids (.cells, .csv), or .ele, .npy, .vtu, .ply, .off, .obj")
-      ->required();
+                   "Cells as rows of zero-based ids (.cells, .csv, .npy), or .ele, .vtu, .ply, .off or .obj")
+      ->required()
+      ->option_text(" ");
   command->add_option("--cells-format", options->cells_format, "Read CELLS as this format, whatever its extension")
-      ->type_name("FORMAT");
+      ->option_text("FORMAT");
   command->add_flag("--canonical", options->canonical, "Also demand Delone's own choice among cospherical ties");
   command->add_flag("--json", options->json, "Print the report as JSON");
   add_threads(*command, options->threads);
   command->footer(
-      "\nPositive volumes, matched facets, empty orthospheres, a convex and fully covered hull, every row accounted "
+      "Checked: positive volumes, matched facets, empty orthospheres, a convex hull covered once, no row unaccounted "
       "for.\n"
       "Exit code 0 when valid, 1 when not, 2 when a file cannot be read.\n\nExamples:\n"
       "  delone check points.csv cells.csv\n"

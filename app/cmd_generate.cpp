@@ -59,21 +59,21 @@ int run(const Options& options) {
 void add_generate(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("generate", "Make points to try things with: random, degenerate, worst cases");
-  command->add_option("KIND", options->kind, joined(io::kinds()));
-  command->add_option("-n", options->count, "How many points, such as 1000 or 1e6")->type_name("N");
+  command->add_option("KIND", options->kind, "What kind of points; --list tells them")->option_text(" ");
+  command->add_option("-n", options->count, "How many points, such as 1000 or 1e6")->option_text("N");
   command->add_option("-d,--dim", options->dimension, "Dimension; each kind has its usual one")
       ->check(CLI::Range(1, 8))
-      ->type_name("D");
+      ->option_text("D");
   command->add_option("--seed", options->seed, "The same seed gives the same points on every machine [1]")
-      ->type_name("S");
+      ->option_text("S");
   command->add_option("--bits", options->bits, "Scale and round to integers 0 .. 2^B - 1")
       ->check(CLI::Range(1, 52))
-      ->type_name("B");
+      ->option_text("B");
   command->add_option("-o,--output", options->output, "File to write: .csv, .txt or .npy; - is stdout, as without -o")
-      ->type_name("FILE");
+      ->option_text("FILE");
   command->add_flag("--list", options->list, "List the kinds and what they are");
   command->footer(
-      "\nExamples:\n"
+      "Examples:\n"
       "  delone generate uniform -n 1e6 -d 3 -o points.npy\n"
       "  delone generate circle -n 500000 --bits 24 --seed 7 | delone triangulate - -o circle.png");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });

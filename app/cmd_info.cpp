@@ -196,9 +196,9 @@ void add_info(CLI::App& app, Command& chosen) {
   add_point_input(*command, options->input, "FILE");
   command->add_flag("--json", options->json, "Print it as JSON");
   command->footer(
-      "\n\"17 bits x 2^-8\" says that every number of the column is an integer of at most 17 bits, and a sign, divided "
-      "by\n"
-      "2^8; \"(2 decimals)\" that every number is the double nearest to one with two decimals.\n\nExamples:\n"
+      "\"17 bits x 2^-8\": every number of the column is an integer of at most 17 bits, and a sign, divided by 2^8.\n"
+      "\"(2 decimals)\": every number is the double nearest to a decimal with two digits after the "
+      "point.\n\nExamples:\n"
       "  delone info cities.csv.gz --columns lon,lat\n"
       "  delone info points.npy --json");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });

@@ -94,7 +94,7 @@ Exported triangulate(const io::PointTable& points, const Options& options, Summa
 
   Exported result;
   const Stopwatch exporting;
-  if (options.check || !options.outputs.empty()) result.cells = cells(triangulation, summary.threads);
+  if (options.check || !options.outputs.empty()) result.cells = cells(triangulation);
   if (!options.outputs.empty()) result.row_status = status_words(triangulation);
   if (options.merged) {
     result.merged = merged_cells(triangulation);
@@ -189,26 +189,27 @@ void add_triangulate(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("triangulate", "Triangulate the points of a file; write meshes and pictures");
   add_point_input(*command, options->input, "INPUT");
   command
-      ->add_option(
-          "-o,--output", options->outputs,
-          "File to write, by its extension: .vtu .ply .obj .off .node .npy .csv .cells .geojson .svg .png; - is "
-          "stdout; give -o again for more files")
+      ->add_option("-o,--output", options->outputs,
+                   "Write this file, its format by its extension; - is stdout; -o again for more files")
       ->expected(1, -1)
       ->allow_extra_args(false)
-      ->type_name("OUTPUT");
-  command->add_option("--format", options->format, "Write this format, whatever the extensions; for -o - else cells")
-      ->type_name("FORMAT");
+      ->option_text("OUTPUT");
+  command
+      ->add_option("--format", options->format,
+                   "Write this format, whatever the extension; for -o - the usual one is cells")
+      ->option_text("FORMAT");
   command
       ->add_option("--elevation", options->elevation, "Column that lifts 2D points in 3D formats and colours pictures")
-      ->type_name("COLUMN");
+      ->option_text("COLUMN");
   command->add_flag("--merged", options->merged, "Merge cells with a common circumscribing sphere");
   command->add_flag("--check", options->check, "Check the result with exact arithmetic; exit code 1 if it fails");
   command->add_flag("--json", options->json, "Print the summary as JSON: to stdout, or with -o - to stderr");
   command->add_flag("-q,--quiet", options->quiet, "No summary");
   add_threads(*command, options->threads);
   command->footer(
-      "\nCOLUMN is a name, a number counted from 1, or last. Without --columns all numeric columns but the weight are\n"
-      "coordinates.\n\nExamples:\n"
+      "Outputs: .vtu .ply .obj .off .node (with .ele and .neigh) .npy .csv .cells; in 2D also .geojson .svg .png\n"
+      "COLUMN is a name, a number counted from 1, or last. Without --columns all numeric columns are coordinates, but\n"
+      "for the weight.\n\nExamples:\n"
       "  delone triangulate cities.csv.gz --columns lon,lat -o cities.png -o cities.vtu\n"
       "  delone triangulate survey.csv --columns x,y --elevation z -o terrain.ply\n"
       "  delone triangulate atoms.csv --columns x,y,z --radii radius --check --json\n"

@@ -34,29 +34,29 @@ io::ReadOptions PointInput::read_options() const {
 
 void add_point_input(CLI::App& command, PointInput& input, const std::string& name) {
   command
-      .add_option(name, input.path,
-                  "Points: text, .npy, .node, .xyz, .ply, .obj, .off, or any of them as .gz; - reads stdin")
-      ->required();
+      .add_option(name, input.path, "Points: text, .npy, .node, .xyz, .ply, .obj or .off, also with .gz; - reads stdin")
+      ->required()
+      ->option_text(" ");
   command.add_option("--columns", input.columns, "Columns of the coordinates, separated by commas")
       ->delimiter(',')
       ->expected(1, -1)
       ->allow_extra_args(false)
-      ->type_name("COLUMN,...");
+      ->option_text("COLUMN,...");
   auto* weights = command.add_option("--weights", input.weights, "Column of weights: a regular triangulation");
   auto* radii = command.add_option("--radii", input.radii, "Column of radii: the weight is the radius squared");
-  weights->type_name("COLUMN")->excludes(radii);
-  radii->type_name("COLUMN");
+  weights->option_text("COLUMN")->excludes(radii);
+  radii->option_text("COLUMN");
   command.add_option("--dim", input.dimension, "Demand this many coordinates")
       ->check(CLI::Range(1, kMaxDimension))
-      ->type_name("D");
+      ->option_text("D");
   command.add_option("--input-format", input.format, "Read as text, npy, node, xyz, ply, obj or off")
-      ->type_name("FORMAT");
+      ->option_text("FORMAT");
 }
 
 void add_threads(CLI::App& command, int& threads) {
   command.add_option("--threads", threads, "Threads to use; all of the machine if not given")
       ->check(CLI::Range(1, 1024))
-      ->type_name("N");
+      ->option_text("N");
 }
 
 int thread_count(int asked) {

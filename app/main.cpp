@@ -38,12 +38,12 @@ int run(const cli::Command& command) {
 
 int parse_and_run(int argc, char** argv) {
   CLI::App app("Exact Delaunay and regular triangulations in any dimension from 1 to 8.", "delone");
-  app.set_version_flag("--version", "delone " DELONE_VERSION);
-  app.set_help_all_flag("--help-all", "Print the help of every command and exit");
+  app.set_version_flag("--version", "delone " DELONE_VERSION, "Print the version and exit");
+  app.set_help_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
-  app.get_formatter()->column_width(36);
+  app.get_formatter()->column_width(26);
   app.footer(
-      "\nExit codes: 0 done, 1 a check failed, 2 bad input or usage.\n"
+      "Exit codes: 0 done, 1 a check failed, 2 bad input or usage.\n"
       "delone COMMAND --help explains a command and gives examples. To begin:\n"
       "  delone generate uniform -n 1000 -o points.csv\n"
       "  delone triangulate points.csv -o picture.svg -o mesh.vtu --check");
@@ -56,6 +56,13 @@ int parse_and_run(int argc, char** argv) {
   if (argc < 2) {
     std::fputs(app.help().c_str(), stderr);
     return cli::kBadInput;
+  }
+  const std::string first = argv[1];
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  if (!first.starts_with('-') && std::ranges::find(commands, first, &CLI::App::get_name) == commands.end()) {
+    std::string names;
+    for (const CLI::App* known : commands) names += (names.empty() ? "" : ", ") + known->get_name();
+    return fail("there is no command '" + first + "'; there are " + names);
   }
   try {
     app.parse(argc, argv);
