@@ -1,9 +1,9 @@
 // Exact signs about rows of the points, in a flat of dimension K. No rounding anywhere.
 //
 // Every test takes its handful of rows, writes their coordinates as integers over the largest power of two that divides
-// them all, and subtracts: neighbours in space differ by few bits, whatever the units. The bits that are really there
-// bound the determinant, |det| <= N! * product of the largest entry per column, and the narrowest integers that hold
-// the bound decide: 128 bits for lattices, 256 for most random doubles, any number when 1e300 meets 1e-300.
+// them all, and subtracts: neighbours in space differ by few bits, whatever the units. Three lengths of integers
+// decide: short (differences of up to 61 bits: nearly always), 640 bits where the determinant is sure to fit, and any
+// length when 1e300 meets 1e-300. Matrices have a row per axis and a column per point.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,15 @@
 #include <climits>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
+#include <type_traits>
 
 #include "check/affine_hull.hpp"
 #include "delone/base/ids.hpp"
 #include "delone/exact/determinant.hpp"
 #include "delone/geometry/points.hpp"
 #include "exact/integer.hpp"
+#include "exact/short_determinant.hpp"
 #include "exact/wide.hpp"
 
 namespace delone::check_detail {
@@ -48,19 +51,12 @@ class Magnitude {
   unsigned __int128 bits_ = 0;
 };
 
-/// The sign of the N x N determinant that make.operator()<Int>() writes down; |determinant| <= 2^bits.
-template <int N, class Make>
-int determinant_sign(int bits, const Make& make) {
-  const auto decide = [&]<class Int>() { return exact::sign(determinant<N>(make.template operator()<Int>())); };
-  const auto fits = [bits](int width) { return bits <= width - 2; };
-  if constexpr (N <= 5) {
-    if (fits(128)) return decide.template operator()<Int128>();
-    if (fits(256)) return decide.template operator()<Wide<4>>();
-    if (fits(384)) return decide.template operator()<Wide<6>>();
-  }
-  if (fits(640)) return decide.template operator()<Wide<10>>();
-  return decide.template operator()<BigInt>();
-}
+template <class Int>
+inline constexpr bool kAnyLength = std::is_same_v<Int, BigInt>;
+
+/// The integers for determinants that are too long for short_determinant_sign.
+using Long = Wide<10>;
+constexpr bool fits_into_long(int bits) { return bits <= 638; }  // a sign, and one bit to spare
 
 template <int K>
 class ExactKernel {
@@ -189,86 +185,124 @@ class ExactKernel {
   /// The sign of a determinant of differences.
   template <class Difference>
   static int sign_of(const Matrix<K, Difference>& d) {
-    if constexpr (std::is_same_v<Difference, BigInt>) {
+    if constexpr (kAnyLength<Difference>) {
       return exact::sign(determinant<K>(d));
     } else {
+      int longest = 0;
       int bits = factorial_bits(K);
-      for (std::size_t j = 0; j < kAxes; ++j) {
-        Magnitude column;
-        for (std::size_t i = 0; i < kAxes; ++i) column.add(d[i][j]);
-        bits += column.bits();
+      for (const auto& row : d) {
+        const int length = magnitude(row).bits();
+        longest = std::max(longest, length);
+        bits += length;
       }
-      return determinant_sign<K>(bits, [&]<class Int>() {
-        Matrix<K, Int> m;
-        for (std::size_t i = 0; i < kAxes; ++i) {
-          for (std::size_t j = 0; j < kAxes; ++j) m[i][j] = Int(d[i][j]);
-        }
-        return m;
-      });
+      if (longest <= exact::kShortBits) return exact::short_determinant_sign<K>(converted<std::int64_t, K>(d));
+      return fits_into_long(bits) ? exact::sign(determinant<K>(converted<Long, K>(d)))
+                                  : exact::sign(determinant<K>(converted<BigInt, K>(d)));
     }
+  }
+
+  template <class Row>
+  static Magnitude magnitude(const Row& row) {
+    Magnitude all;
+    for (const Int128 x : row) all.add(x);
+    return all;
+  }
+
+  /// The first `Rows` rows in other integers.
+  template <class Int, int Rows, class Table>
+  static auto converted(const Table& from) {
+    std::array<std::array<Int, std::tuple_size_v<typename Table::value_type>>, static_cast<std::size_t>(Rows)> to;
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      for (std::size_t j = 0; j < to[i].size(); ++j) to[i][j] = static_cast<Int>(from[i][j]);
+    }
+    return to;
   }
 
   template <class Difference>
   static int orient_by(const Local<kRows>& local) {
     Matrix<K, Difference> d;
-    for (std::size_t j = 0; j < kAxes; ++j) {
-      const auto origin = local.template at<Difference>(0, j);
-      for (std::size_t i = 0; i < kAxes; ++i) d[i][j] = local.template at<Difference>(i + 1, j) - origin;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const auto origin = local.template at<Difference>(0, axis);
+      for (std::size_t i = 0; i < kAxes; ++i) d[axis][i] = local.template at<Difference>(i + 1, axis) - origin;
     }
     return sign_of<Difference>(d);
   }
 
-  /// The sign of the determinant of rows (p - origin, |p - origin|^2 - w(p) + w(origin)), the last row that of q.
-  /// Heights may be taken from the origin, since that changes them by an affine function; squares run over all axes.
+  /// The other points of a cell and q, seen from the cell's first corner, with weights relative to it.
+  template <class Difference>
+  struct Lifted {
+    std::array<std::array<Difference, kRows>, kMaxDimension> d;  // axis by axis
+    std::array<Difference, kRows> w;
+    std::size_t axes;
+    int weight_shift;  // squares, times two to it, are in the unit of the weights
+
+    /// |p - origin|^2 - w(p) + w(origin): an affine function away from |p|^2 - w(p), over all axes of the input.
+    template <class Int>
+    Int height(std::size_t point) const {
+      Int sum(0);
+      for (std::size_t axis = 0; axis < axes; ++axis) {
+        const Int x(d[axis][point]);
+        sum = sum + x * x;
+      }
+      return sum * Int(Difference(1) << weight_shift) - Int(w[point]);
+    }
+
+    template <class Int>
+    int sign_by() const {
+      Matrix<K + 1, Int> m;
+      for (std::size_t i = 0; i < kRows; ++i) {
+        for (std::size_t axis = 0; axis < kAxes; ++axis) m[axis][i] = Int(d[axis][i]);
+        m[kAxes][i] = height<Int>(i);
+      }
+      return exact::sign(determinant<K + 1>(m));
+    }
+
+    int short_sign() const {
+      std::array<Int128, kRows> heights;
+      for (std::size_t i = 0; i < kRows; ++i) heights[i] = height<Int128>(i);
+      return exact::short_determinant_sign<K>(converted<std::int64_t, K>(d), heights);
+    }
+  };
+
+  /// The sign of the determinant of the lifted points, q the last: +1 when q lies above a cell of orientation +1.
   template <class Difference>
   int lifted_by(const Local<kRows + 1>& local, const LocalWeights& weights) const {
-    const auto axes = static_cast<std::size_t>(points_.dimension());
-    std::array<std::array<Difference, kMaxDimension>, kRows> d;
-    std::array<Difference, kRows> w;
-    for (std::size_t j = 0; j < axes; ++j) {
-      const auto origin = local.template at<Difference>(0, j);
-      for (std::size_t i = 0; i < kRows; ++i) d[i][j] = local.template at<Difference>(i + 1, j) - origin;
+    Lifted<Difference> lifted;
+    lifted.axes = static_cast<std::size_t>(points_.dimension());
+    lifted.weight_shift = weights.shift;
+    for (std::size_t axis = 0; axis < lifted.axes; ++axis) {
+      const auto origin = local.template at<Difference>(0, axis);
+      for (std::size_t i = 0; i < kRows; ++i) {
+        lifted.d[axis][i] = local.template at<Difference>(i + 1, axis) - origin;
+      }
     }
+    lifted.w.fill(Difference(0));
     if (points_.weighted()) {
       const auto origin = exact::to_integer<Difference>(weights.w[0], weights.unit);
       for (std::size_t i = 0; i < kRows; ++i) {
-        w[i] = exact::to_integer<Difference>(weights.w[i + 1], weights.unit) - origin;
+        lifted.w[i] = exact::to_integer<Difference>(weights.w[i + 1], weights.unit) - origin;
       }
     }
-    const auto matrix = [&]<class Int>() {
-      Matrix<K + 1, Int> m;
-      for (std::size_t i = 0; i < kRows; ++i) {
-        Int height(0);
-        for (std::size_t j = 0; j < axes; ++j) {
-          const Int x(d[i][j]);
-          height = height + x * x;
-          if (j < kAxes) m[i][j] = x;
-        }
-        if (points_.weighted()) height = height * Int(Difference(1) << weights.shift) - Int(w[i]);
-        m[i][kAxes] = height;
-      }
-      return m;
-    };
-    if constexpr (std::is_same_v<Difference, BigInt>) {
-      return exact::sign(determinant<K + 1>(matrix.template operator()<BigInt>()));
+    if constexpr (kAnyLength<Difference>) {
+      return lifted.template sign_by<BigInt>();
     } else {
-      return determinant_sign<K + 1>(lifted_bits(d, axes, weights), matrix);
+      return sign_of_lifted(lifted, weights);
     }
   }
 
-  /// Bits of the determinant of lifted_by. A height is at most D * 2^(2 longest + shift) + 2^(bits of weights + 1).
-  int lifted_bits(const std::array<std::array<Int128, kMaxDimension>, kRows>& d, std::size_t axes,
-                  const LocalWeights& weights) const {
-    int bits = factorial_bits(K + 1);
+  /// A height is at most D * 2^(2 longest + shift) + 2^(bits of weights + 1).
+  static int sign_of_lifted(const Lifted<Int128>& lifted, const LocalWeights& weights) {
     int longest = 0;
-    for (std::size_t j = 0; j < axes; ++j) {
-      Magnitude column;
-      for (std::size_t i = 0; i < kRows; ++i) column.add(d[i][j]);
-      longest = std::max(longest, column.bits());
-      if (j < kAxes) bits += column.bits();
+    int bits = factorial_bits(K + 1);
+    for (std::size_t axis = 0; axis < lifted.axes; ++axis) {
+      const int length = magnitude(lifted.d[axis]).bits();
+      longest = std::max(longest, length);
+      if (axis < kAxes) bits += length;
     }
-    const int square = 2 * longest + weights.shift + static_cast<int>(std::bit_width(axes - 1));
-    return bits + (points_.weighted() ? std::max(square, weights.bits + 1) + 1 : square);
+    const int square = 2 * longest + weights.shift + static_cast<int>(std::bit_width(lifted.axes - 1));
+    const int height = std::max(square, weights.bits + 1) + 1;
+    if (longest <= exact::kShortBits && height <= kNarrow) return lifted.short_sign();
+    return fits_into_long(bits + height) ? lifted.template sign_by<Long>() : lifted.template sign_by<BigInt>();
   }
 
   /// Everything times K + 1, and the target's ray times K once more, to keep the barycentres integral.
@@ -291,7 +325,7 @@ class ExactKernel {
       for (std::size_t i = 0; i < kRows; ++i) centre += local.template at<Difference>(i, j);
       for (std::size_t i = 0; i < kAxes; ++i) target += local.template at<Difference>(kRows + kAxes + i, j);
       for (std::size_t i = 0; i < kAxes; ++i) {
-        d[i][j] = i == corner ? Difference(target * (K + 1) - centre * K)
+        d[j][i] = i == corner ? Difference(target * (K + 1) - centre * K)
                               : Difference(local.template at<Difference>(kRows + i, j) * (K + 1) - centre);
       }
     }
