@@ -103,6 +103,10 @@ std::vector<Points> families(int dimension, std::size_t n, std::uint64_t seed) {
            [&](std::size_t) {
              return pick({1e300, -1e300, 1.0, 1e-300, 5e-324, 0.0}) * static_cast<double>(random() % 3);
            }),
+      fill("many bits", dimension, n,
+           [&](std::size_t) {
+             return pick({1.0, 0x1p-30, 0x1p-50}) * unit_random(random);
+           }),
       fill("all equal", dimension, n, [&](std::size_t) { return 0.1; }),
   };
   return all;
@@ -170,8 +174,8 @@ TEST(CheckSlow, ties_resolved_in_another_way_are_valid_but_not_canonical) {
         EXPECT_EQ(check_cells(points, cells, true).passed(), cells == truth.cells);
         if (cells != truth.cells) ++different;
       },
-      5);
-  EXPECT_GT(different, 20U);
+      5, 1);
+  EXPECT_GT(different, 10U);
 }
 
 TEST(Check, corners_and_cells_may_come_in_any_order) {
