@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <string>
+#include <utility>
 
 #include "build/incremental.hpp"
 #include "delone/base/arithmetic.hpp"
@@ -27,14 +27,8 @@ class Stopwatch {
 
 }  // namespace
 
-void require_row_count(std::size_t rows) {
-  if (rows >= kNone / 2) {
-    throw InputError(std::to_string(rows) + " points are more than ids of this build can name: build with 64-bit ids");
-  }
-}
-
 AnyTriangulation build(PointsView points, const BuildOptions& options) {
-  require_row_count(points.size());
+  require_row_count(points.size(), points.dimension());
   require_finite(points);
   const ExactEnvironment environment;
   Stopwatch watch;
@@ -52,11 +46,7 @@ AnyTriangulation build(PointsView points, const BuildOptions& options) {
   }
   mesh.statistics.order_seconds = watch.lap();
 
-  insert_all(mesh, [&](std::size_t done) {
-    if (options.progress && !options.progress(static_cast<double>(done) / static_cast<double>(points.size()))) {
-      throw Cancelled();
-    }
-  });
+  insert_all(mesh, options.progress);
   mesh.statistics.insert_seconds = watch.lap();
 
   mesh.complex.shrink();

@@ -1,5 +1,6 @@
 #include "delone/geometry/points.hpp"
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -35,6 +36,21 @@ void require_finite(PointsView points) {
     if (!std::isfinite(points.weight(row))) {
       throw InputError("row " + std::to_string(row) + ": weight is not finite");
     }
+  }
+}
+
+std::size_t max_row_count(int dimension) {
+  // Facets per point of random points: 2 (1D), 6 (2D), 27.1 (3D); from 4D on 159 and more, measured.
+  constexpr std::array<double, kMaxDimension> kFacetsPerPoint{2.0, 6.0, 27.1, 159.0, 1100.0, 8600.0, 75000.0, 720000.0};
+  return static_cast<std::size_t>(static_cast<double>(kNone) /
+                                  kFacetsPerPoint[static_cast<std::size_t>(dimension - 1)]);
+}
+
+void require_row_count(std::size_t rows, int dimension) {
+  if (rows > max_row_count(dimension)) {
+    throw InputError(std::to_string(rows) + " points in dimension " + std::to_string(dimension) +
+                     ": ids of this build name at most " + std::to_string(max_row_count(dimension)) +
+                     ", build with 64-bit ids (DELONE_WIDE_IDS)");
   }
 }
 

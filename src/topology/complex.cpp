@@ -2,10 +2,17 @@
 
 #include <algorithm>
 
+#include "delone/base/errors.hpp"
+
 namespace delone {
 
 void Complex::reserve_more(std::size_t cells, std::size_t vertex_slots) {
-  if (dimension_ >= 0) ids_.reserve_more(cells * stride());
+  if (dimension_ >= 0) {
+    if (slot_count() + cells > kDead / static_cast<std::size_t>(corners())) {
+      throw InputError("the triangulation needs more cells than ids of this build can name: build with 64-bit ids");
+    }
+    ids_.reserve_more(cells * stride());
+  }
   if (vertex_slots > incident_.size()) incident_.reserve_more(vertex_slots - incident_.size());
 }
 

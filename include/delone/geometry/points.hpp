@@ -47,4 +47,11 @@ class PointsView {
 /// @throws InputError naming row and column, both counted from 0
 void require_finite(PointsView points);
 
+/// Rows that ids can name: random points of that many rows have as many facets as there are ids. (A set that needs more
+/// cells than random points do is refused when its ids run out.)
+std::size_t max_row_count(int dimension);
+
+/// @throws InputError when ids cannot name that many rows
+void require_row_count(std::size_t rows, int dimension);
+
 }  // namespace delone

@@ -25,7 +25,8 @@ struct CellTable {
   }
 };
 
-/// Polytopes with any number of vertices: cell c holds vertices[offsets[c]] to vertices[offsets[c + 1]], ascending rows.
+/// Polytopes with any number of vertices: cell c holds vertices[offsets[c]] to vertices[offsets[c + 1]], ascending
+/// rows.
 struct PolytopeTable {
   std::vector<std::size_t> offsets{0};
   std::vector<Index> vertices;

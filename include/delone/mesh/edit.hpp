@@ -15,6 +15,7 @@ struct Edit {
   VertexId vertex;                  ///< the vertex that came
   std::span<const CellId> removed;  ///< cells that are gone; their ids may be used again
   std::span<const CellId> created;  ///< cells in their place, the star of `vertex`
+  bool rebuilt = false;             ///< every cell is new: the point left the flat that held all before it
 };
 
 }  // namespace delone

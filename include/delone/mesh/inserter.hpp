@@ -100,6 +100,30 @@ class Inserter {
   CellId last_ = kNoCell;
 };
 
+/// Where all sites stand at one place the heaviest is the vertex, and there is nothing to search.
+template <>
+class Inserter<0> {
+ public:
+  explicit Inserter(Mesh& mesh) : mesh_(&mesh), complex_(mesh.complex) {}
+
+  Outcome insert(VertexId q, CellId /*start*/) {
+    const CellId c = complex_.cell(complex_.twin(mesh_->complex.incident_cell(kGhost), 0));
+    const VertexId v = complex_.vertex(c, 0);
+    mesh_->reserve_duplicate();
+    if (const auto outcome = meet_at_same_place(*mesh_, q, v)) return *outcome;
+    complex_.forget(v);
+    complex_.set_vertex(c, 0, q);
+    complex_.settle(c);
+    return Outcome::inserted;
+  }
+  CellId last_cell() const { return mesh_->complex.incident_cell(kGhost); }
+  Edit edit(VertexId q) const { return {.vertex = q, .removed = {}, .created = {}, .rebuilt = true}; }
+
+ private:
+  Mesh* mesh_;
+  ComplexView<0> complex_;
+};
+
 /// Makes the first cells of an empty complex: the simplex of sites 0 to K, positively oriented, and a ghost cell on
 /// each of its facets. Room has been reserved.
 template <int K>
