@@ -28,6 +28,15 @@ std::string memory(std::size_t bytes) {
   return fmt::format("{:.4g} MB", static_cast<double>(bytes) / 1e6);
 }
 
+/// "x, y", or "columns 1, 2" where the file names none.
+std::string names_of_axes(const std::vector<std::string>& names) {
+  const auto is_number = [](const std::string& name) {
+    return !name.empty() && name.find_first_not_of("0123456789") == std::string::npos;
+  };
+  const bool unnamed = !names.empty() && std::ranges::all_of(names, is_number);
+  return (unnamed ? "column" + std::string(names.size() == 1 ? " " : "s ") : "") + joined(names);
+}
+
 /// "0.01 s (read 0.00, ...)", phases that took part only.
 std::string times(const Summary& summary) {
   double writing = 0;
@@ -57,7 +66,7 @@ std::string to_words(const Summary& summary) {
     std::string remark;
     if (name == "points") {
       remark = fmt::format("{} dimension{}: {}{}", summary.dimension, summary.dimension == 1 ? "" : "s",
-                           joined(summary.coordinate_names), summary.weighted ? "; weighted" : "");
+                           names_of_axes(summary.coordinate_names), summary.weighted ? "; weighted" : "");
       if (summary.affine_dimension < summary.dimension)
         remark += fmt::format("; all in a flat of dimension {}", summary.affine_dimension);
     } else if (name == "cells") {
