@@ -80,8 +80,8 @@ CellTable read_geojson_cells(const Source& source, std::size_t point_count) {
     if (!rows.is_array()) complain(source.name(), fmt::format("feature {}: expected the property \"rows\"", cell));
     for (const auto& row : rows) {
       if (!row.is_number_unsigned() || !cells.holds(row.get<std::uint64_t>())) {
-        complain(source.name(),
-                 fmt::format("feature {}: expected {}, found {}", cell, cells.expectation(), row.dump()));
+        complain(source.name(), fmt::format("feature {}: expected {}, found {}", cell, cells.expectation(),
+                                            row.is_number() ? row.dump() : std::string(row.type_name())));
       }
       cells.push(row.get<std::uint64_t>());
     }
