@@ -7,9 +7,13 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 # Two build types of our own beside Release and Debug: optimised with assertions on, and what sanitizers run on.
-set(CMAKE_CXX_FLAGS_RELWITHASSERTS "-O2" CACHE STRING "Optimised, assertions on")
-set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1" CACHE STRING "For sanitizers: quick to compile, assertions on")
-mark_as_advanced(CMAKE_CXX_FLAGS_RELWITHASSERTS CMAKE_CXX_FLAGS_SANITIZE)
+# (project() has made empty cache entries of their flags by now, so these are plain variables.)
+if(NOT CMAKE_CXX_FLAGS_RELWITHASSERTS)
+  set(CMAKE_CXX_FLAGS_RELWITHASSERTS "-O2")
+endif()
+if(NOT CMAKE_CXX_FLAGS_SANITIZE)
+  set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1")  # quick to compile
+endif()
 
 # Exact predicates need every double operation as written: no contraction of a*b+c, no fast-math, no x87.
 # Users of the library inherit -ffp-contract=off (CMakeLists.txt): the linker keeps one copy of an inline function, and

@@ -3,6 +3,7 @@
 #include <array>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "delone/build/build.hpp"
@@ -13,7 +14,7 @@ int main() {
   for (const double x : {0, 1})
     for (const double y : {0, 1})
       for (const double z : {0, 1}) corners.push_back({x, y, z});
-  const auto t = delone::build(delone::PointsView(std::span(corners)));
+  const auto t = delone::build(delone::PointsView(std::span(std::as_const(corners))));
 
   const auto table = delone::cells(t);
   for (std::size_t c = 0; c < table.size(); ++c) {
