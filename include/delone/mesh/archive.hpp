@@ -1,8 +1,17 @@
 // Keep a whole triangulation in a file, and get it back without building anew.
-// Format: 8 bytes "DELONE\0\1" (the last is the version), then 64-bit little-endian words: the width of ids in bytes,
-// the dimension, 1 if weighted, the affine dimension, its axes, the number of sites; then the arrays; then a 64-bit
-// checksum of everything before it (each 64-bit word w, the last padded with zeros, by h = mix(h xor w), see
-// canonical_hash).
+//
+// Format, version 1: 64-bit little-endian words.
+//   "DELONE\0\1"       the last byte is the version
+//   width              bytes of an id: 4 where that suffices, else 8
+//   D, weighted, k     dimension of the points, 0 or 1, affine dimension (-1 without points)
+//   k axes             on which the points stay independent
+//   n, d, m            sites, duplicates, cells
+//   n x D coordinates  of the sites, in the order of their insertion; then n weights if weighted
+//   n rows             the input row of each site
+//   d x 2 sites        a duplicate and the site whose place it shares
+//   m x 2 (k + 1) ids  each cell's vertices, then its twins; the ghost is the largest id
+//   checksum           of all words before, by h = mix(h xor w) from h = 0 on (mix: see canonical_hash)
+// Ids are packed low end first; each array of ids is filled with zeros up to a whole word.
 #pragma once
 
 #include <iosfwd>
@@ -11,12 +20,13 @@
 
 namespace delone {
 
-/// Writes `t`. @throws std::runtime_error when the stream fails
+/// Writes `t`. Cells are renumbered without gaps. @throws std::runtime_error when the stream fails
 void save(const AnyTriangulation& t, std::ostream& out);
 
-/// Reads what save() wrote: the same vertices, cells, statuses and canonical hash, whatever the machine.
-/// @throws InputError when the bytes are cut off, damaged, of another version, or no triangulation (I1 to I4 are
-/// checked)
+/// Reads what save() wrote, and not a byte more: the same vertices, cells, statuses and canonical hash, whatever the
+/// machine that wrote it. Whatever the bytes are, what comes back is safe to use: facets match, orientations are
+/// positive (I1 to I4, decided exactly). Whether the cells are Delaunay is for check() to say.
+/// @throws InputError when the bytes are cut off, damaged, of another version, or no triangulation; std::bad_alloc
 AnyTriangulation load(std::istream& in);
 
 }  // namespace delone

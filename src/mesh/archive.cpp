@@ -1,0 +1,377 @@
+#include "delone/mesh/archive.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <istream>
+#include <limits>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "delone/base/arithmetic.hpp"
+#include "delone/base/buffer.hpp"
+#include "delone/base/dispatch.hpp"
+#include "delone/base/errors.hpp"
+#include "delone/base/random.hpp"
+#include "delone/geometry/kernel.hpp"
+
+namespace delone {
+namespace {
+
+constexpr std::uint64_t kNameAndVersion = 0x01'00'45'4E'4F'4C'45'44;  // "DELONE\0\1", the first letter lowest
+constexpr std::uint64_t kVersionBits = 0xFFULL << 56;
+constexpr std::uint64_t kLargestNarrowId = 0xFFFF'FFFF;
+
+[[noreturn]] void refuse(const std::string& what) { throw InputError("saved triangulation: " + what); }
+
+void require(bool condition, const char* what) {
+  if (!condition) refuse(what);
+}
+
+class Writer {
+ public:
+  explicit Writer(std::ostream& out) : out_(&out) {}
+
+  void word(std::uint64_t w) {
+    checksum_ = mix(checksum_ ^ w);
+    std::array<char, 8> bytes;
+    for (char& byte : bytes) {
+      byte = static_cast<char>(w & 0xFF);
+      w >>= 8;
+    }
+    out_->write(bytes.data(), bytes.size());
+  }
+  void number(double x) { word(std::bit_cast<std::uint64_t>(x)); }
+  void finish() {
+    word(checksum_);
+    if (!out_->flush()) throw std::runtime_error("saved triangulation: it cannot be written");
+  }
+
+ private:
+  std::ostream* out_;
+  std::uint64_t checksum_ = 0;
+};
+
+/// An array of ids on its way into words; kNone becomes the largest id of the width.
+class IdWriter {
+ public:
+  IdWriter(Writer& to, std::uint64_t width) : to_(&to), narrow_(width == 4) {}
+  ~IdWriter() {
+    if (half_) to_->word(low_);
+  }
+  IdWriter(const IdWriter&) = delete;
+  IdWriter& operator=(const IdWriter&) = delete;
+
+  void put(Index id) {
+    if (!narrow_) {
+      to_->word(id == kNone ? ~std::uint64_t{0} : id);
+    } else if (half_ = !half_; half_) {
+      low_ = id & kLargestNarrowId;
+    } else {
+      to_->word(low_ | (id & kLargestNarrowId) << 32);
+    }
+  }
+
+ private:
+  Writer* to_;
+  bool narrow_;
+  bool half_ = false;
+  std::uint64_t low_ = 0;
+};
+
+class Reader {
+ public:
+  explicit Reader(std::istream& in) : in_(&in) {}
+
+  std::uint64_t word() {
+    std::array<char, 8> bytes;
+    in_->read(bytes.data(), bytes.size());
+    require(in_->gcount() == static_cast<std::streamsize>(bytes.size()), "it is cut off");
+    std::uint64_t w = 0;
+    for (std::size_t i = 8; i-- > 0;) w = w << 8 | static_cast<unsigned char>(bytes[i]);
+    checksum_ = mix(checksum_ ^ w);
+    return w;
+  }
+  double number() {
+    const auto x = std::bit_cast<double>(word());
+    require(std::isfinite(x), "a coordinate or weight is not finite");
+    return x;
+  }
+  /// A word from 0 to `largest`.
+  std::size_t count(std::uint64_t largest, const char* what) {
+    const std::uint64_t w = word();
+    if (w > largest) refuse(std::string(what) + " " + std::to_string(w) + " is out of range");
+    return static_cast<std::size_t>(w);
+  }
+  void finish() {
+    const std::uint64_t expected = checksum_;
+    require(word() == expected, "it is damaged, its checksum is wrong");
+  }
+
+ private:
+  std::istream* in_;
+  std::uint64_t checksum_ = 0;
+};
+
+class IdReader {
+ public:
+  IdReader(Reader& from, std::size_t width) : from_(&from), narrow_(width == 4) {}
+
+  /// An id below `end`, or kNone where that is allowed.
+  Index get(std::size_t end, bool or_none = false) {
+    const std::uint64_t id = next();
+    if (or_none && id == (narrow_ ? kLargestNarrowId : ~std::uint64_t{0})) return kNone;
+    require(id < end, "an id is out of range");
+    return static_cast<Index>(id);
+  }
+  /// After the last id of an array.
+  void finish() const { require(!half_ || rest_ == 0, "the end of an array is not filled with zeros"); }
+
+ private:
+  std::uint64_t next() {
+    if (!narrow_) return from_->word();
+    half_ = !half_;
+    if (!half_) return rest_;
+    const std::uint64_t w = from_->word();
+    rest_ = w >> 32;
+    return w & kLargestNarrowId;
+  }
+
+  Reader* from_;
+  bool narrow_;
+  bool half_ = false;
+  std::uint64_t rest_ = 0;
+};
+
+// --- Saving ---
+
+void save_sites(const AnyTriangulation& t, Writer& to, std::uint64_t width) {
+  const Sites& sites = t.sites();
+  const auto for_all = [&](auto&& f) {
+    for (std::size_t i = 0; i < sites.size(); ++i) f(VertexId{static_cast<Index>(i)});
+  };
+  for_all([&](VertexId v) {
+    for (int axis = 0; axis < t.dimension(); ++axis) to.number(sites.coordinate(v, axis));
+  });
+  if (t.weighted()) for_all([&](VertexId v) { to.number(sites.weight(v)); });
+  IdWriter ids(to, width);
+  for_all([&](VertexId v) { ids.put(sites.row(v)); });
+}
+
+void save_cells(const Complex& complex, Writer& to, std::uint64_t width) {
+  std::vector<Index> position(complex.slot_count(), kNone);  // without the dead ones
+  Index live = 0;
+  for (std::size_t s = 0; s < position.size(); ++s) {
+    if (complex.is_live(CellId{static_cast<Index>(s)})) position[s] = live++;
+  }
+  IdWriter ids(to, width);
+  for (std::size_t s = 0; s < position.size(); ++s) {
+    if (position[s] == kNone) continue;
+    const CellId c{static_cast<Index>(s)};
+    for (int i = 0; i < complex.corners(); ++i) ids.put(raw(complex.vertex(c, i)));
+    for (int i = 0; i < complex.corners(); ++i) {
+      const FacetId f = complex.twin(c, i);
+      ids.put(position[raw(complex.cell(f))] * static_cast<Index>(complex.corners()) +
+              static_cast<Index>(complex.slot(f)));
+    }
+  }
+}
+
+// --- Loading: arrays grow as bytes arrive, so that a wrong count costs no memory; every id is checked before use. ---
+
+struct Header {
+  std::size_t width, dimension;
+  bool weighted;
+  Flat flat;
+  std::size_t sites, duplicates, cells;
+};
+
+Header load_header(Reader& from) {
+  const std::uint64_t name = from.word();
+  require((name & ~kVersionBits) == (kNameAndVersion & ~kVersionBits), "this is no saved triangulation");
+  if (name != kNameAndVersion) refuse("version " + std::to_string(name >> 56) + " is unknown, this program reads 1");
+  Header header{};
+  header.width = from.count(8, "the width of ids");
+  require(header.width == 4 || header.width == 8, "the width of ids is neither 4 nor 8");
+  header.dimension = from.count(kMaxDimension, "the dimension");
+  require(header.dimension > 0, "the dimension is 0");
+  header.weighted = from.count(1, "the mark of weights") == 1;
+  const std::uint64_t k = from.word() + 1;
+  require(k <= header.dimension + 1, "the affine dimension is out of range");
+  header.flat.dimension = static_cast<int>(k) - 1;
+  for (int i = 0, last = -1; i < header.flat.dimension; ++i) {
+    const int axis = static_cast<int>(from.count(header.dimension - 1, "axis"));
+    require(axis > last, "the axes do not ascend");
+    header.flat.axes[static_cast<std::size_t>(i)] = last = axis;
+  }
+  header.sites = from.count(max_row_count(static_cast<int>(header.dimension)), "the number of points");
+  require(k == 0 ? header.sites == 0 : header.sites >= k, "the affine dimension does not fit the number of points");
+  header.duplicates = from.count(header.sites, "the number of duplicates");
+  header.cells = from.count(k == 0 ? 0 : (kNone - 1) / k, "the number of cells");
+  return header;
+}
+
+Sites load_sites(const Header& header, Reader& from) {
+  std::vector<double> coordinates, weights;
+  for (std::size_t i = 0; i < header.sites * header.dimension; ++i) coordinates.push_back(from.number());
+  for (std::size_t i = 0; header.weighted && i < header.sites; ++i) weights.push_back(from.number());
+  Sites sites(static_cast<int>(header.dimension), header.weighted, header.flat);
+  sites.reserve_more(header.sites);
+  std::vector<bool> named(header.sites, false);
+  IdReader ids(from, header.width);
+  for (std::size_t i = 0; i < header.sites; ++i) {
+    const Index row = ids.get(header.sites);
+    require(!named[row], "a row is named twice");
+    named[row] = true;
+    sites.append(std::span(coordinates).subspan(i * header.dimension, header.dimension),
+                 header.weighted ? weights[i] : 0.0, row);
+  }
+  ids.finish();
+  return sites;
+}
+
+void load_duplicates(const Header& header, Reader& from, Mesh& mesh) {
+  IdReader ids(from, header.width);
+  for (std::size_t i = 0; i < header.duplicates; ++i) {
+    const VertexId site{ids.get(header.sites)};
+    const VertexId vertex{ids.get(header.sites)};
+    require(mesh.duplicates.empty() || raw(mesh.duplicates.back().first) < raw(site), "the duplicates do not ascend");
+    require(
+        site != vertex && mesh.sites.same_place(site, vertex) && mesh.sites.weight(site) == mesh.sites.weight(vertex),
+        "a duplicate differs from its vertex");
+    mesh.duplicates.emplace_back(site, vertex);
+  }
+  ids.finish();
+}
+
+template <int K>
+void load_cells(const Header& header, Reader& from, Mesh& mesh) {
+  constexpr std::size_t kChunk = 4096;
+  constexpr std::size_t kCorners = K + 1;
+  ComplexView<K> complex(mesh.complex);
+  mesh.complex.reserve_more(0, header.sites);
+  mesh.complex.grow_vertices(header.sites);
+  IdReader ids(from, header.width);
+  for (std::size_t i = 0; i < header.cells; ++i) {
+    if (i % kChunk == 0) mesh.complex.reserve_more(std::min(kChunk, header.cells - i), header.sites);
+    const CellId c = complex.create();
+    std::size_t ghosts = 0;
+    for (int j = 0; j <= K; ++j) {
+      complex.set_vertex(c, j, VertexId{ids.get(header.sites, true)});
+      ghosts += complex.vertex(c, j) == kGhost ? 1 : 0;
+    }
+    require(ghosts == (complex.is_ghost(c) ? 1U : 0U), "the ghost stands in a wrong place (I4)");
+    for (int j = 0; j <= K; ++j) complex.set_twin(c, j, FacetId{ids.get(header.cells * kCorners)});
+    complex.settle(c);
+  }
+  ids.finish();
+}
+
+/// Whether c and the cell across its facet `i` have the facet's vertices in common and are oriented alike: with the
+/// apex of one in the other's place, both name the same vertices in orders of opposite parity (I2, I3).
+template <int K>
+bool matches_across(const ComplexView<K>& complex, CellId c, int i) {
+  const FacetId across = complex.twin(c, i);
+  const auto mine = complex.vertices(c);
+  auto theirs = complex.vertices(complex.cell(across));
+  theirs[static_cast<std::size_t>(complex.slot(across))] = mine[static_cast<std::size_t>(i)];
+  bool odd = false;
+  for (std::size_t j = 0; j <= K; ++j) {
+    const auto found = std::find(theirs.begin() + static_cast<std::ptrdiff_t>(j), theirs.end(), mine[j]);
+    if (found == theirs.end()) return false;
+    if (found != theirs.begin() + static_cast<std::ptrdiff_t>(j)) {
+      std::swap(*found, theirs[j]);
+      odd = !odd;
+    }
+  }
+  return odd || K == 0;  // two cells without facets have nothing to turn over
+}
+
+/// What every later call relies on. Positive cells that match across their facets, up to ghosts on the outer ones,
+/// leave no point of space without a cell for a walk to end in, and no turn about a ridge without an end.
+template <int K>
+void require_triangulation(Mesh& mesh) {
+  const ComplexView<K> complex(mesh.complex);
+  for (std::size_t s = 0; s < complex.slot_count(); ++s) {
+    const CellId c{static_cast<Index>(s)};
+    for (int i = 0; i <= K; ++i) {
+      const FacetId across = complex.twin(c, i);
+      require(complex.twin(across) == complex.facet(c, i) && complex.cell(across) != c, "twins do not match (I1)");
+      require(matches_across(complex, c, i), "neighbours do not share their facet (I2, I3)");
+    }
+    if (const int ghost = complex.ghost_slot(c); ghost >= 0) {
+      require(!complex.is_ghost(complex.cell(complex.twin(c, ghost))), "a hull facet has no cell behind it");
+    }
+  }
+  require(mesh.complex.ghost_count() > 0, "there is no hull");
+  if constexpr (K == 0) {
+    require(complex.slot_count() == 2, "a single point has two cells");
+  } else {
+    Kernel<K> kernel(mesh.sites);
+    for (std::size_t s = 0; s < complex.slot_count(); ++s) {
+      const CellId c{static_cast<Index>(s)};
+      require(complex.is_ghost(c) || kernel.orient(complex.vertices(c)) > 0, "a cell is not positive (I4)");
+    }
+  }
+}
+
+}  // namespace
+
+void save(const AnyTriangulation& t, std::ostream& out) {
+  const Complex& complex = t.complex();
+  const auto corners = static_cast<std::size_t>(complex.corners());
+  const std::uint64_t width =
+      std::max<std::uint64_t>(t.row_count(), complex.live_count() * corners) < kLargestNarrowId ? 4 : 8;
+  Writer to(out);
+  to.word(kNameAndVersion);
+  to.word(width);
+  to.word(static_cast<std::uint64_t>(t.dimension()));
+  to.word(t.weighted() ? 1 : 0);
+  to.word(static_cast<std::uint64_t>(static_cast<std::int64_t>(t.affine_dimension())));
+  for (int i = 0; i < t.affine_dimension(); ++i) {
+    to.word(static_cast<std::uint64_t>(t.sites().flat().axes[static_cast<std::size_t>(i)]));
+  }
+  to.word(t.row_count());
+  to.word(t.mesh().duplicates.size());
+  to.word(complex.live_count());
+  save_sites(t, to, width);
+  {
+    IdWriter ids(to, width);
+    for (const auto& [site, vertex] : t.mesh().duplicates) {
+      ids.put(raw(site));
+      ids.put(raw(vertex));
+    }
+  }
+  save_cells(complex, to, width);
+  to.finish();
+}
+
+AnyTriangulation load(std::istream& in) {
+  const ExactEnvironment environment;
+  Reader from(in);
+  const Header header = load_header(from);
+  Mesh mesh(load_sites(header, from));
+  load_duplicates(header, from, mesh);
+  if (header.flat.dimension >= 0) {
+    with_dimension(header.flat.dimension, [&](auto k) { load_cells<k>(header, from, mesh); });
+  }
+  from.finish();
+  if (header.flat.dimension >= 0) {
+    with_dimension(header.flat.dimension, [&](auto k) { require_triangulation<k>(mesh); });
+  }
+  for (std::size_t i = 0; i < header.sites; ++i) {
+    if (mesh.complex.incident_cell(VertexId{static_cast<Index>(i)}) != kNoCell) ++mesh.vertex_count;
+  }
+  for (const auto& [site, vertex] : mesh.duplicates) {
+    require(mesh.complex.incident_cell(site) == kNoCell, "a duplicate is a vertex too");
+  }
+  mesh.complex.shrink();
+  mesh.sites.shrink();
+  return AnyTriangulation(std::move(mesh));
+}
+
+}  // namespace delone
