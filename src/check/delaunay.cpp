@@ -1,8 +1,10 @@
 #include "delone/check/delaunay.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "support/brute_force.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "exact/integer.hpp"
 
