@@ -65,6 +65,7 @@ void add_generate(CLI::App& app, Command& chosen) {
       ->check(CLI::Range(1, 8))
       ->option_text("D");
   command->add_option("--seed", options->seed, "The same seed gives the same points on every machine [1]")
+      ->check(CLI::NonNegativeNumber)
       ->option_text("S");
   command->add_option("--bits", options->bits, "Scale and round to integers 0 .. 2^B - 1")
       ->check(CLI::Range(1, 52))

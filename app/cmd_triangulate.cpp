@@ -193,6 +193,7 @@ void add_triangulate(CLI::App& app, Command& chosen) {
                    "Write this file, its format by its extension; - is stdout; -o again for more files")
       ->expected(1, -1)
       ->allow_extra_args(false)
+      ->type_name("OUTPUT")
       ->option_text("OUTPUT");
   command
       ->add_option("--format", options->format,

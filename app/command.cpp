@@ -12,6 +12,15 @@
 
 namespace delone::cli {
 
+namespace {
+
+std::string without_blanks(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+}  // namespace
+
 io::ReadOptions PointInput::read_options() const {
   io::ReadOptions options;
   if (!format.empty()) {
@@ -25,7 +34,7 @@ io::ReadOptions PointInput::read_options() const {
   if (columns.size() > static_cast<std::size_t>(kMaxDimension))
     throw UsageError("--columns names " + std::to_string(columns.size()) + " columns, but points have at most " +
                      std::to_string(kMaxDimension) + " coordinates");
-  options.columns = columns;
+  for (const std::string& column : columns) options.columns.push_back(without_blanks(column));  // "x, y"
   options.weights = weights;
   options.radii = radii;
   options.dimension = dimension;

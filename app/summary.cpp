@@ -10,14 +10,15 @@
 namespace delone::cli {
 namespace {
 
-const char* cell_name(int affine_dimension) {
+/// What cells are called in dimensions that have a word for them.
+const char* cell_name(int affine_dimension, std::size_t count) {
   switch (affine_dimension) {
     case 1:
-      return "segments";
+      return count == 1 ? "segment" : "segments";
     case 2:
-      return "triangles";
+      return count == 1 ? "triangle" : "triangles";
     case 3:
-      return "tetrahedra";
+      return count == 1 ? "tetrahedron" : "tetrahedra";
     default:
       return "";
   }
@@ -70,7 +71,7 @@ std::string to_words(const Summary& summary) {
       if (summary.affine_dimension < summary.dimension)
         remark += fmt::format("; all in a flat of dimension {}", summary.affine_dimension);
     } else if (name == "cells") {
-      remark = cell_name(summary.affine_dimension);
+      remark = cell_name(summary.affine_dimension, summary.cells);
     }
     text += fmt::format("{:<12}  {:>{}}{}{}\n", name, number, width, remark.empty() ? "" : "  ", remark);
   }
