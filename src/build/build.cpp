@@ -25,6 +25,15 @@ class Stopwatch {
   Clock::time_point last_ = Clock::now();
 };
 
+/// Moves `rows` to the front, which become the first simplex, and leaves the others in their order.
+void bring_to_front(std::vector<Index>& order, std::span<const Index> rows) {
+  auto kept = order.end();
+  for (auto i = order.end(); i != order.begin();) {
+    if (std::ranges::find(rows, *--i) == rows.end()) *--kept = *i;
+  }
+  std::ranges::copy(rows, order.begin());
+}
+
 }  // namespace
 
 AnyTriangulation build(PointsView points, const BuildOptions& options) {
@@ -34,16 +43,12 @@ AnyTriangulation build(PointsView points, const BuildOptions& options) {
   Stopwatch watch;
 
   const AffineHull hull = affine_hull(points);
-  const auto k = static_cast<std::size_t>(std::max(hull.flat.dimension, 0));
   Mesh mesh(Sites(points.dimension(), points.weighted(), hull.flat));
-  mesh.sites.reserve_more(points.size());
-  mesh.sites.grow_rows(points.size());
-  const auto append = [&](Index row) { mesh.sites.append(points[row], points.weight(row), row); };
-  const std::span basis = std::span(hull.basis).first(points.empty() ? 0 : k + 1);
-  for (const Index row : basis) append(row);
-  for (const Index row : brio_order(points, std::span(hull.flat.axes).first(k))) {
-    if (std::ranges::find(basis, row) == basis.end()) append(row);
-  }
+  const std::span axes = std::span(hull.flat.axes).first(static_cast<std::size_t>(std::max(hull.flat.dimension, 0)));
+  const std::span basis = std::span(hull.basis).first(points.empty() ? 0 : axes.size() + 1);
+  std::vector<Index> order = brio_order(points, axes);
+  bring_to_front(order, basis);
+  mesh.sites.append(points, order, 0);
   mesh.statistics.order_seconds = watch.lap();
 
   insert_all(mesh, options.progress);

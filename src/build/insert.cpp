@@ -130,12 +130,8 @@ void insert(AnyTriangulation& t, PointsView batch, const BuildOptions& options) 
   }
   Mesh mesh = t.mesh();
   const std::size_t first = mesh.sites.size();
-  mesh.sites.reserve_more(batch.size());
-  mesh.sites.grow_rows(first + batch.size());
   const auto axes = std::span(mesh.sites.flat().axes).first(size(std::max(t.affine_dimension(), 0)));
-  for (const Index i : brio_order(batch, axes)) {
-    mesh.sites.append(batch[i], batch.weight(i), static_cast<Index>(first + i));
-  }
+  mesh.sites.append(batch, brio_order(batch, axes), static_cast<Index>(first));
   insert_from(mesh, first, options.progress);
   AnyTriangulation grown(std::move(mesh));
   std::swap(t, grown);

@@ -36,16 +36,32 @@ void Sites::reserve_more(std::size_t count) {
 
 VertexId Sites::append(std::span<const double> point, double weight, Index row) {
   const VertexId v{static_cast<Index>(size())};
+  const auto k = static_cast<std::size_t>(leading_count_);
+  double* leading = leading_.extend(k);
+  double* others = others_.extend(point.size() - k);
   for (std::size_t place = 0; place < point.size(); ++place) {
     const double x = point[static_cast<std::size_t>(axis_at_place_[place])];
     magnitude_ = std::max(magnitude_, std::abs(x));
-    (place < static_cast<std::size_t>(leading_count_) ? leading_ : others_).push_back(x);
+    *(place < k ? leading++ : others++) = x;
   }
   if (weighted_) weights_.push_back(weight);
   row_of_.push_back(row);
   if (row >= vertex_of_.size()) grow_rows(row + std::size_t{1});
   vertex_of_[row] = raw(v);
   return v;
+}
+
+void Sites::append(PointsView points, std::span<const Index> order, Index first_row) {
+  constexpr std::size_t kAhead = 16;
+  reserve_more(order.size());
+  grow_rows(first_row + points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i + kAhead < order.size()) {
+      __builtin_prefetch(points[order[i + kAhead]].data());
+      __builtin_prefetch(vertex_of_.data() + first_row + order[i + kAhead], 1);
+    }
+    append(points[order[i]], points.weight(order[i]), first_row + order[i]);
+  }
 }
 
 void Sites::drop_last() {

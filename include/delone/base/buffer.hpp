@@ -6,12 +6,15 @@
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
-#include <new>
 #include <span>
 #include <type_traits>
 #include <utility>
 
 namespace delone {
+
+/// realloc, and for blocks of many pages a request for huge ones, which saves most of the time that page faults and
+/// address translation cost. @throws std::bad_alloc, and the block is as it was
+void* reallocate_block(void* block, std::size_t count, std::size_t element_size);
 
 template <class T>
 class Buffer {
@@ -72,6 +75,12 @@ class Buffer {
     reserve_more(1);
     data_[size_++] = value;
   }
+  /// `count` more elements, not initialised; returns the first.
+  T* extend(std::size_t count) {
+    reserve_more(count);
+    size_ += count;
+    return data_ + (size_ - count);
+  }
   void clear() { size_ = 0; }
   void shrink_to_fit() {
     if (size_ == 0) {
@@ -83,10 +92,7 @@ class Buffer {
 
  private:
   void reallocate(std::size_t capacity) {
-    void* moved =
-        capacity <= static_cast<std::size_t>(-1) / 2 / sizeof(T) ? std::realloc(data_, capacity * sizeof(T)) : nullptr;
-    if (moved == nullptr) throw std::bad_alloc();
-    data_ = static_cast<T*>(moved);
+    data_ = static_cast<T*>(reallocate_block(data_, capacity, sizeof(T)));
     capacity_ = capacity;
   }
 

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace delone {
 
@@ -19,9 +20,14 @@ namespace detail {
 /// @param entry  entry(row, column) of the matrix
 template <int N, bool Alternate, class T, class Entry>
 T laplace(Entry entry) {
-  std::array<T, std::size_t{1} << N> minor;  // minor[s]: rows 0 .. |s|-1, columns s; subsets precede supersets
+  constexpr auto kRows = [] {  // a set of k columns takes rows 0 to k - 1; the last of them
+    std::array<std::uint8_t, std::size_t{1} << N> last{};
+    for (unsigned s = 1; s < last.size(); ++s) last[s] = static_cast<std::uint8_t>(std::popcount(s) - 1);
+    return last;
+  }();
+  std::array<T, std::size_t{1} << N> minor;  // minor[s] of columns s; subsets precede supersets
   for (unsigned s = 1; s < (1U << N); ++s) {
-    const auto row = static_cast<std::size_t>(std::popcount(s) - 1);
+    const std::size_t row = kRows[s];
     if (row == 0) {
       minor[s] = entry(row, static_cast<std::size_t>(std::countr_zero(s)));
       continue;
@@ -67,6 +73,13 @@ T determinant(const Matrix<N, T>& m) {
 /// determinant(m).
 template <int N>
 double absolute_permanent(const Matrix<N, double>& m) {
+  if constexpr (N == 3) {
+    const auto at = [&](std::size_t i, std::size_t j) { return std::abs(m[i][j]); };
+    const double a = at(1, 0) * at(2, 1) + at(1, 1) * at(2, 0);
+    const double b = at(1, 0) * at(2, 2) + at(1, 2) * at(2, 0);
+    const double c = at(1, 1) * at(2, 2) + at(1, 2) * at(2, 1);
+    return at(0, 0) * c + at(0, 1) * b + at(0, 2) * a;
+  }
   return detail::laplace<N, false, double>([&](std::size_t i, std::size_t j) { return std::abs(m[i][j]); });
 }
 

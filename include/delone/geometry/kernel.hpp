@@ -122,7 +122,7 @@ namespace filter {
 
 /// orient from the differences to v0, by Laplace expansion of the determinant and of its permanent.
 template <int K>
-int orient_of_differences(const Matrix<K, double>& m) {
+[[gnu::always_inline]] inline int orient_of_differences(const Matrix<K, double>& m) {
   if constexpr (K == 2) {
     const double left = m[0][0] * m[1][1];
     const double right = m[0][1] * m[1][0];
@@ -141,7 +141,7 @@ int orient_of_differences(const Matrix<K, double>& m) {
 }  // namespace filter
 
 template <int K>
-int Kernel<K>::filtered_orient(const Cell& v) const {
+[[gnu::always_inline]] inline int Kernel<K>::filtered_orient(const Cell& v) const {
   if constexpr (K != 1) {
     if (!tame_) [[unlikely]]
       return kUnsure;
@@ -162,7 +162,7 @@ int Kernel<K>::filtered_orient(const Cell& v) const {
 }
 
 template <int K>
-int Kernel<K>::filtered_conflict(const Cell& cell, VertexId q) const {
+[[gnu::always_inline]] inline int Kernel<K>::filtered_conflict(const Cell& cell, VertexId q) const {
   using filter::kU;
   if (!tame_) [[unlikely]]
     return kUnsure;

@@ -59,6 +59,8 @@ class Sites {
   void reserve_more(std::size_t count);
   /// Appends row `row` of the input; rows are appended in any order, each once. Requires reserved room.
   VertexId append(std::span<const double> point, double weight, Index row);
+  /// Appends rows of `points` in the given order, each under its number plus `first_row`; makes room.
+  void append(PointsView points, std::span<const Index> order, Index first_row);
   /// Makes room for rows below `count` to be named.
   void grow_rows(std::size_t count) { vertex_of_.resize(count, kNone); }
   /// Takes back the last site.

@@ -16,7 +16,7 @@ namespace delone {
 /// Whether inserting q destroys cell c. A ghost cell is destroyed when q lies beyond its facet; on the facet's
 /// hyperplane the finite cell behind decides, so that no special case is left on the hull.
 template <int K>
-bool in_conflict(const ComplexView<K>& complex, Kernel<K>& kernel, CellId c, VertexId q) {
+[[gnu::always_inline]] inline bool in_conflict(const ComplexView<K>& complex, Kernel<K>& kernel, CellId c, VertexId q) {
   auto v = complex.vertices(c);
   const int ghost = complex.ghost_slot(c);
   if (ghost < 0) return kernel.conflict(v, q);
@@ -30,7 +30,7 @@ bool in_conflict(const ComplexView<K>& complex, Kernel<K>& kernel, CellId c, Ver
 /// marks are clean again.
 template <int K>
 void find_cavity(const ComplexView<K>& complex, Kernel<K>& kernel, VertexId q, CellId start, Scratch& scratch) {
-  auto& [marks, removed, spared, boundary, created] = scratch;
+  auto& [marks, removed, spared, boundary, created, edges] = scratch;
   removed.clear();
   spared.clear();
   boundary.clear();
@@ -44,6 +44,7 @@ void find_cavity(const ComplexView<K>& complex, Kernel<K>& kernel, VertexId q, C
       if (mark == Scratch::conflicting) continue;
       if (mark == Scratch::unknown) {
         if (in_conflict(complex, kernel, across, q)) {
+          for (int j = 0; j <= K; ++j) complex.prefetch(complex.cell(complex.twin(across, j)));
           removed.push_back(across);
           mark = Scratch::conflicting;
           continue;
@@ -52,45 +53,6 @@ void find_cavity(const ComplexView<K>& complex, Kernel<K>& kernel, VertexId q, C
         mark = Scratch::staying;
       }
       boundary.push_back(complex.facet(c, i));
-    }
-  }
-}
-
-/// Replaces the cavity in `scratch` by the star of q. Room for the new cells has been reserved; cannot fail.
-template <int K>
-void fill_cavity(ComplexView<K> complex, VertexId q, Scratch& scratch) {
-  auto& [marks, removed, spared, boundary, created] = scratch;
-  for (std::size_t b = 0; b < boundary.size(); ++b) {
-    const FacetId f = boundary[b];
-    const CellId old = complex.cell(f);
-    const int apex = complex.slot(f);
-    const CellId fresh = complex.create();
-    created[b] = fresh;
-    for (int i = 0; i <= K; ++i) {
-      complex.set_vertex(fresh, i, i == apex ? q : complex.vertex(old, i));
-      complex.set_twin(fresh, i, kNoFacet);
-    }
-    complex.link(complex.facet(fresh, apex), complex.twin(f));
-    complex.set_twin(old, apex, complex.facet(fresh, apex));  // from the old boundary to the star, for the turns below
-    complex.settle(fresh);
-  }
-  for (std::size_t b = 0; b < boundary.size(); ++b) {
-    const int apex = complex.slot(boundary[b]);
-    for (int i = 0; i <= K; ++i) {
-      if (i == apex || complex.twin(created[b], i) != kNoFacet) continue;
-      // Turn about the ridge of the old cell without slots apex and i: enter through one, leave through the other.
-      CellId c = complex.cell(boundary[b]);
-      int in = apex;
-      int out = i;
-      FacetId across = complex.twin(c, out);
-      while (marks[raw(complex.cell(across))] == Scratch::conflicting) {  // ends: the cavity is a ball (I5)
-        const VertexId behind = complex.vertex(c, in);
-        c = complex.cell(across);
-        in = complex.slot(across);
-        out = complex.slot_of(c, behind);
-        across = complex.twin(c, out);
-      }
-      complex.link(complex.facet(created[b], i), complex.facet(complex.cell(across), in));
     }
   }
 }

@@ -10,6 +10,7 @@
 #include "delone/locate/walk.hpp"
 #include "delone/mesh/cavity.hpp"
 #include "delone/mesh/edit.hpp"
+#include "delone/mesh/star.hpp"
 #include "delone/mesh/triangulation.hpp"
 
 namespace delone {
@@ -71,7 +72,7 @@ class Inserter {
     scratch_->reserve_marks(complex_.slot_count());
     find_cavity(complex_, kernel_, q, start, *scratch_);
     mesh_->complex.reserve_more(scratch_->boundary.size(), mesh_->sites.size());
-    scratch_->prepare_star(complex_.slot_count());
+    scratch_->prepare_star(complex_.slot_count(), mesh_->sites.size());
     fill_cavity(complex_, q, *scratch_);  // from here on nothing fails
     ++mesh_->vertex_count;
     if (mesh_->sites.weighted()) hide_swallowed_vertices();
@@ -138,6 +139,7 @@ void make_first_cells(Mesh& mesh) {
     const CellId c = complex.create();
     for (int i = 0; i <= K; ++i) complex.set_vertex(c, i, vertices[static_cast<std::size_t>(i)]);
     complex.settle(c);
+    complex.count_ghost(c);
     return c;
   };
   const CellId finite = make(simplex);

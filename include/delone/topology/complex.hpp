@@ -148,17 +148,23 @@ class ComplexView {
     set_twin(cell(f), slot(f), g);
     set_twin(cell(g), slot(g), f);
   }
-  /// Makes `c`, whose vertices are set, the incident cell of each of them.
-  void settle(CellId c) {
-    for (int i = 0; i < (K == 1 ? 2 : K); ++i) {
-      if (vertex(c, i) != kGhost) complex_->incident_[raw(vertex(c, i))] = raw(c);
-    }
-    if (const int g = ghost_slot(c); g >= 0) {
+  /// Counts `c`, whose vertices are set, if it is a ghost cell.
+  void count_ghost(CellId c) {
+    if (is_ghost(c)) {
       complex_->ghost_cell_ = c;
       ++complex_->ghosts_;
-    } else if constexpr (K != 1) {
-      complex_->incident_[raw(vertex(c, K))] = raw(c);
     }
+  }
+  void set_incident(VertexId v, CellId c) {
+    if (v == kGhost) {
+      complex_->ghost_cell_ = c;
+    } else {
+      complex_->incident_[raw(v)] = raw(c);
+    }
+  }
+  /// Makes `c` the incident cell of each of its vertices.
+  void settle(CellId c) {
+    for (int i = 0; i <= K; ++i) set_incident(vertex(c, i), c);
   }
   void forget(VertexId v) { complex_->incident_[raw(v)] = kNone; }
 
