@@ -11,8 +11,8 @@
 namespace delone::io {
 namespace {
 
-constexpr std::array kSizeStops{Colour{248, 244, 232}, Colour{214, 231, 222}, Colour{150, 199, 197},
-                                Colour{84, 149, 170}, Colour{44, 96, 136}};
+constexpr std::array kSizeStops{Colour{250, 246, 234}, Colour{222, 234, 220}, Colour{150, 203, 196},
+                                Colour{66, 146, 172},  Colour{26, 82, 130},   Colour{16, 46, 92}};
 constexpr std::array kHeightStops{Colour{38, 84, 102},   Colour{66, 136, 112}, Colour{150, 184, 122},
                                   Colour{232, 220, 160}, Colour{205, 156, 98}, Colour{150, 98, 74}};
 
@@ -39,6 +39,27 @@ Range without_outliers(std::vector<float> numbers) {
     range.include(*place);
   }
   return range;
+}
+
+/// The sizes (logarithms of area) between which tones vary. Large: 8 % of the picture's area lies in larger triangles,
+/// since area is what the eye sees. Small: midway between what the eye sees and what most triangles are, so that
+/// neither the dense places nor the wide ones become all one colour.
+Range range_of_sizes(const std::vector<float>& sizes) {
+  constexpr std::size_t kEnough = 100'000;
+  std::vector<float> sample;
+  for (std::size_t i = 0; i < sizes.size(); i += sizes.size() / kEnough + 1) sample.push_back(sizes[i]);
+  if (sample.empty()) return {0, 0};
+  std::ranges::sort(sample);
+  double total = 0;
+  for (const float size : sample) total += std::exp2(double{size});
+  const auto seen = [&](double share) {  // the size below which lies this share of the area
+    double below = 0;
+    return *std::ranges::find_if(sample,
+                                 [&](float size) { return (below += std::exp2(double{size})) >= share * total; });
+  };
+  const double large = seen(0.92);
+  const double small = (double{seen(0.02)} + double{sample[sample.size() / 20]}) / 2;
+  return {small, std::max(large, small)};
 }
 
 float tone_within(const Range& range, double x) {
@@ -209,7 +230,7 @@ double Scene::length(std::array<Index, 2> edge) const {
 double Scene::opacity(std::array<Index, 2> edge) const {
   // The number of edges in a place grows with the square of their shortness: fading them by their length keeps the ink
   // per pixel bounded.
-  const double strongest = triangles.empty() ? 1.0 : lit() ? 0.35 : 0.7;
+  const double strongest = triangles.empty() ? 1.0 : lit() ? 0.35 : 0.5;
   return strongest * std::min(1.0, length(edge) / 14.0);
 }
 
@@ -230,7 +251,7 @@ Scene compose(const MeshView& mesh, const PictureOptions& options, std::string_v
   if (points.elevation() != nullptr) {
     light(*points.elevation(), scene);
   } else {
-    const Range range = without_outliers(sizes);
+    const Range range = range_of_sizes(sizes);
     scene.tone.reserve(sizes.size());
     for (const float size : sizes) scene.tone.push_back(1 - tone_within(range, size));
   }
