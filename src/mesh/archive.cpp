@@ -18,6 +18,7 @@
 #include "delone/base/errors.hpp"
 #include "delone/base/random.hpp"
 #include "delone/geometry/kernel.hpp"
+#include "delone/mesh/cavity.hpp"
 
 namespace delone {
 namespace {
@@ -267,6 +268,7 @@ void load_cells(const Header& header, Reader& from, Mesh& mesh) {
     require(ghosts == (complex.is_ghost(c) ? 1U : 0U), "the ghost stands in a wrong place (I4)");
     for (int j = 0; j <= K; ++j) complex.set_twin(c, j, FacetId{ids.get(header.cells * kCorners)});
     complex.settle(c);
+    complex.count_ghost(c);
   }
   ids.finish();
 }
@@ -291,11 +293,10 @@ bool matches_across(const ComplexView<K>& complex, CellId c, int i) {
   return odd || K == 0;  // two cells without facets have nothing to turn over
 }
 
-/// What every later call relies on. Positive cells that match across their facets, up to ghosts on the outer ones,
-/// leave no point of space without a cell for a walk to end in, and no turn about a ridge without an end.
+/// I1, I2, I3, the ghost cells of I4, and some hull.
 template <int K>
-void require_triangulation(Mesh& mesh) {
-  const ComplexView<K> complex(mesh.complex);
+void require_matching_facets(const ComplexView<K>& complex) {
+  std::size_t ghosts = 0;
   for (std::size_t s = 0; s < complex.slot_count(); ++s) {
     const CellId c{static_cast<Index>(s)};
     for (int i = 0; i <= K; ++i) {
@@ -305,18 +306,77 @@ void require_triangulation(Mesh& mesh) {
     }
     if (const int ghost = complex.ghost_slot(c); ghost >= 0) {
       require(!complex.is_ghost(complex.cell(complex.twin(c, ghost))), "a hull facet has no cell behind it");
+      ++ghosts;
     }
   }
-  require(mesh.complex.ghost_count() > 0, "there is no hull");
-  if constexpr (K == 0) {
-    require(complex.slot_count() == 2, "a single point has two cells");
-  } else {
-    Kernel<K> kernel(mesh.sites);
-    for (std::size_t s = 0; s < complex.slot_count(); ++s) {
-      const CellId c{static_cast<Index>(s)};
-      require(complex.is_ghost(c) || kernel.orient(complex.vertices(c)) > 0, "a cell is not positive (I4)");
+  require(ghosts > 0, "there is no hull");
+  require(K > 0 || complex.slot_count() == 2, "a single point has two cells");
+}
+
+/// A point inside of a cell c, close to its vertices in turn: v0 + e (v1 - v0) + e^2 (v2 - v0) + ... for a tiny e > 0.
+/// It lies on no hyperplane of the vertices, and on which side of one is a matter of orientations alone.
+template <int K>
+class InnerPoint {
+ public:
+  explicit InnerPoint(const typename Kernel<K>::Cell& cell) : corners_(cell) {}
+
+  /// Orientation of a simplex with this point in slot i. It is linear in the point: the first corner off the
+  /// hyperplane of the others decides.
+  int orient(Kernel<K>& kernel, typename Kernel<K>::Cell simplex, int i) const {
+    for (const VertexId corner : corners_) {
+      simplex[static_cast<std::size_t>(i)] = corner;
+      if (const int sign = kernel.orient(simplex); sign != 0) return sign;
+    }
+    return 0;
+  }
+  bool is_in(Kernel<K>& kernel, const typename Kernel<K>::Cell& simplex) const {
+    for (int i = 0; i <= K; ++i) {
+      if (orient(kernel, simplex, i) <= 0) return false;
+    }
+    return true;
+  }
+
+ private:
+  typename Kernel<K>::Cell corners_;
+};
+
+/// That the cells are the regular triangulation of their vertices, so that every later search ends where it should:
+/// finite cells are positive; a point o in one of them is in no other, and strictly inside of every facet of the hull;
+/// no cell conflicts with the vertex across a facet. So the hull is star-shaped about o, then convex, and covered once;
+/// heights are convex across each facet, then everywhere. (The argument in full: src/check/complex_check_impl.hpp.)
+template <int K>
+void require_regular(const ComplexView<K>& complex, const Sites& sites) {
+  Kernel<K> kernel(sites);
+  const CellId outer = complex.incident_cell(kGhost);
+  const InnerPoint<K> o(complex.vertices(complex.cell(complex.twin(outer, complex.ghost_slot(outer)))));
+  std::size_t cells_over_o = 0;
+  for (std::size_t s = 0; s < complex.slot_count(); ++s) {
+    const CellId c{static_cast<Index>(s)};
+    const auto v = complex.vertices(c);
+    const int ghost = complex.ghost_slot(c);
+    if (ghost >= 0) {
+      require(o.orient(kernel, v, ghost) < 0, "a hull facet looks the wrong way (I4)");
+    } else {
+      require(kernel.orient(v) > 0, "a cell is not positive (I4)");
+      cells_over_o += o.is_in(kernel, v) ? 1 : 0;
+    }
+    for (int i = 0; i <= K; ++i) {
+      const FacetId across = complex.twin(c, i);
+      const CellId d = complex.cell(across);
+      if (raw(d) < raw(c) || complex.is_ghost(d) != (ghost >= 0)) continue;
+      require(!in_conflict(complex, kernel, c, complex.vertex(across)), "the cells are not those of its points");
     }
   }
+  require(cells_over_o == 1, "cells overlap");
+}
+
+void require_settled_rows(const Mesh& mesh) {
+  const Complex& complex = mesh.complex;
+  for (const auto& [site, vertex] : mesh.duplicates) {
+    require(complex.incident_cell(site) == kNoCell, "a duplicate is a vertex too");
+  }
+  require(mesh.sites.weighted() || mesh.vertex_count + mesh.duplicates.size() == mesh.sites.size(),
+          "a point is neither a vertex nor a duplicate");
 }
 
 }  // namespace
@@ -361,14 +421,16 @@ AnyTriangulation load(std::istream& in) {
   }
   from.finish();
   if (header.flat.dimension >= 0) {
-    with_dimension(header.flat.dimension, [&](auto k) { require_triangulation<k>(mesh); });
+    with_dimension(header.flat.dimension, [&](auto k) {
+      const ComplexView<k> complex(mesh.complex);
+      require_matching_facets(complex);
+      if constexpr (k > 0) require_regular(complex, mesh.sites);
+    });
   }
   for (std::size_t i = 0; i < header.sites; ++i) {
     if (mesh.complex.incident_cell(VertexId{static_cast<Index>(i)}) != kNoCell) ++mesh.vertex_count;
   }
-  for (const auto& [site, vertex] : mesh.duplicates) {
-    require(mesh.complex.incident_cell(site) == kNoCell, "a duplicate is a vertex too");
-  }
+  require_settled_rows(mesh);
   mesh.complex.shrink();
   mesh.sites.shrink();
   return AnyTriangulation(std::move(mesh));
