@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "delone/base/buffer.hpp"
 #include "delone/base/dispatch.hpp"
 #include "delone/base/random.hpp"
 #include "delone/order/hilbert.hpp"
@@ -16,27 +17,41 @@
 namespace delone {
 namespace {
 
-struct Keyed {
-  std::uint64_t key;
-  Index row;
-};
-
-/// Sorts by the low `bits` bits of the key, 11 at a time, least significant first.
-void radix_sort(std::span<Keyed> items, std::span<Keyed> scratch, int bits) {
-  constexpr int kDigit = 11;
-  constexpr std::uint64_t kMask = (1U << kDigit) - 1;
-  std::span<Keyed> from = items;
-  std::span<Keyed> to = scratch.first(items.size());
-  for (int shift = 0; shift < bits; shift += kDigit) {
-    std::array<std::size_t, kMask + 1> start{};
-    for (const Keyed& item : from) ++start[item.key >> shift & kMask];
-    std::size_t sum = 0;
-    for (std::size_t& s : start) sum += std::exchange(s, sum);
-    for (const Keyed& item : from) to[start[item.key >> shift & kMask]++] = item;
-    std::swap(from, to);
+/// A key above, the row that it belongs to below: what is sorted is one word a point.
+class KeyedRows {
+ public:
+  explicit KeyedRows(std::size_t rows)
+      : row_bits_(static_cast<int>(std::bit_width(rows))), words_(rows), scratch_(rows) {
+    for (std::size_t i = 0; i < rows; ++i) words_[i] = i;
   }
-  if (from.data() != items.data()) std::ranges::copy(from, items.begin());
-}
+
+  std::size_t size() const { return words_.size(); }
+  int key_bits() const { return 64 - row_bits_; }
+  Index row(std::size_t i) const { return static_cast<Index>(words_[i] & ((std::uint64_t{1} << row_bits_) - 1)); }
+  std::uint64_t key(std::size_t i) const { return words_[i] >> row_bits_; }
+  void set_key(std::size_t i, std::uint64_t key) { words_[i] = key << row_bits_ | row(i); }
+
+  /// Sorts [begin, end) by the low `bits` bits of the key, 11 at a time, least significant first.
+  void sort(std::size_t begin, std::size_t end, int bits) {
+    constexpr int kDigit = 11;
+    constexpr std::uint64_t kMask = (1U << kDigit) - 1;
+    std::span<std::uint64_t> from = std::span(words_.data(), words_.size()).subspan(begin, end - begin);
+    std::span<std::uint64_t> to = std::span(scratch_.data(), scratch_.size()).subspan(begin, end - begin);
+    for (int shift = row_bits_; shift < row_bits_ + bits; shift += kDigit) {
+      std::array<std::size_t, kMask + 1> start{};
+      for (const std::uint64_t word : from) ++start[word >> shift & kMask];
+      std::size_t sum = 0;
+      for (std::size_t& s : start) sum += std::exchange(s, sum);
+      for (const std::uint64_t word : from) to[start[word >> shift & kMask]++] = word;
+      std::swap(from, to);
+    }
+    if (from.data() != words_.data() + begin) std::ranges::copy(from, to.begin());
+  }
+
+ private:
+  int row_bits_;
+  Buffer<std::uint64_t> words_, scratch_;
+};
 
 /// The cube that holds some rows; halved numbers, so that no extent overflows.
 template <int K>
@@ -44,14 +59,14 @@ struct Cube {
   std::array<double, K> low;
   double extent = 0.0;
 
-  template <class Rows>
-  Cube(PointsView points, std::span<const int> axes, const Rows& rows) {
+  Cube(PointsView points, std::span<const int> axes, const KeyedRows& rows, std::size_t begin, std::size_t end) {
     std::array<double, K> high;
     low.fill(std::numeric_limits<double>::infinity());
     high.fill(-std::numeric_limits<double>::infinity());
-    for (const auto& item : rows) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::span<const double> point = points[rows.row(i)];
       for (std::size_t j = 0; j < K; ++j) {
-        const double x = points[item.row][static_cast<std::size_t>(axes[j])] * 0.5;
+        const double x = point[static_cast<std::size_t>(axes[j])] * 0.5;
         low[j] = std::min(low[j], x);
         high[j] = std::max(high[j], x);
       }
@@ -71,32 +86,31 @@ struct Cube {
 };
 
 template <int K>
-void sort_along_curve(PointsView points, std::span<const int> axes, std::vector<Keyed>& items, int rounds) {
+void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& rows, int rounds) {
   constexpr std::size_t kCrowd = 24;  // fewer points than this in one grid cell may stay as they are
   struct Job {
     std::size_t begin, end;
     int rounds;
   };
-  std::vector<Keyed> scratch(items.size());
-  std::vector<Job> jobs{{0, items.size(), rounds}};
+  std::vector<Job> jobs{{0, rows.size(), rounds}};
   while (!jobs.empty()) {
     const Job job = jobs.back();
     jobs.pop_back();
-    const std::span<Keyed> part = std::span(items).subspan(job.begin, job.end - job.begin);
-    const Cube<K> cube(points, axes, part);
+    const Cube<K> cube(points, axes, rows, job.begin, job.end);
     if (!(cube.extent > 0.0)) continue;
-    const int wanted = static_cast<int>(std::bit_width(part.size())) + 6;
-    const int bits = std::clamp((wanted + K - 1) / K, 1, std::min(31, 56 / K));
-    for (Keyed& item : part) {
-      const auto round = job.rounds == 0 ? 0 : job.rounds - std::min(job.rounds, std::countr_zero(mix(item.row)) / 3);
-      item.key = static_cast<std::uint64_t>(round) << (bits * K) | cube.distance(points[item.row], axes, bits);
+    const int round_bits = static_cast<int>(std::bit_width(static_cast<unsigned>(job.rounds)));
+    const int wanted = static_cast<int>(std::bit_width(job.end - job.begin)) + 6;
+    const int bits = std::clamp(std::min(wanted + K - 1, rows.key_bits() - round_bits) / K, 1, 31);
+    for (std::size_t i = job.begin; i < job.end; ++i) {
+      const Index row = rows.row(i);
+      const int early = job.rounds == 0 ? 0 : std::min(job.rounds, std::countr_zero(mix(row)) / 3);
+      const std::uint64_t distance = cube.distance(points[row], axes, bits);
+      rows.set_key(i, static_cast<std::uint64_t>(job.rounds - early) << (bits * K) | distance);
     }
-    radix_sort(part, scratch, bits * K + std::bit_width(static_cast<unsigned>(job.rounds)));
-    for (std::size_t begin = 0, end; begin < part.size(); begin = end) {
-      for (end = begin + 1; end < part.size() && part[end].key == part[begin].key;) ++end;
-      if (end - begin > kCrowd && end - begin < part.size()) {
-        jobs.push_back({job.begin + begin, job.begin + end, 0});
-      }
+    rows.sort(job.begin, job.end, bits * K + round_bits);
+    for (std::size_t begin = job.begin, end; begin < job.end; begin = end) {
+      for (end = begin + 1; end < job.end && rows.key(end) == rows.key(begin);) ++end;
+      if (end - begin > kCrowd && end - begin < job.end - job.begin) jobs.push_back({begin, end, 0});
     }
   }
 }
@@ -104,15 +118,15 @@ void sort_along_curve(PointsView points, std::span<const int> axes, std::vector<
 }  // namespace
 
 std::vector<Index> brio_order(PointsView points, std::span<const int> axes) {
-  std::vector<Keyed> items(points.size());
-  for (std::size_t i = 0; i < items.size(); ++i) items[i] = {0, static_cast<Index>(i)};
+  KeyedRows rows(points.size());
   int rounds = 0;
   for (std::size_t n = points.size(); n > 4096; n /= 8) ++rounds;
-  if (!axes.empty())
+  if (!axes.empty()) {
     with_dimension<1>(static_cast<int>(axes.size()),
-                      [&](auto dimension) { sort_along_curve<dimension>(points, axes, items, rounds); });
-  std::vector<Index> order(items.size());
-  for (std::size_t i = 0; i < items.size(); ++i) order[i] = items[i].row;
+                      [&](auto dimension) { sort_along_curve<dimension>(points, axes, rows, rounds); });
+  }
+  std::vector<Index> order(rows.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = rows.row(i);
   return order;
 }
 

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
-#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -51,7 +50,6 @@ class Buffer {
   T* end() { return data_ + size_; }
   const T* begin() const { return data_; }
   const T* end() const { return data_ + size_; }
-  operator std::span<const T>() const { return {data_, size_}; }
 
   /// Room for `capacity` elements; on std::bad_alloc nothing has changed.
   void reserve(std::size_t capacity) {
@@ -72,7 +70,8 @@ class Buffer {
     for (std::size_t i = old; i < size; ++i) data_[i] = value;
   }
   void push_back(T value) {
-    reserve_more(1);
+    if (size_ == capacity_) [[unlikely]]
+      reserve_more(1);
     data_[size_++] = value;
   }
   /// `count` more elements, not initialised; returns the first.
@@ -81,6 +80,8 @@ class Buffer {
     size_ += count;
     return data_ + (size_ - count);
   }
+  T& front() { return data_[0]; }
+  const T& front() const { return data_[0]; }
   void clear() { size_ = 0; }
   void shrink_to_fit() {
     if (size_ == 0) {

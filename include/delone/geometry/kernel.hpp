@@ -70,7 +70,7 @@ class Kernel {
   const PredicateStats& stats() const { return stats_; }
 
   /// Sign of det(v1 - v0, ..., vK - v0) of finite vertices.
-  int orient(const Cell& v) {
+  [[gnu::always_inline]] int orient(const Cell& v) {
     const int sign = filtered_orient(v);
     if (sign != kUnsure) [[likely]] {
       ++stats_.orient_filter;
@@ -81,7 +81,7 @@ class Kernel {
   }
 
   /// Whether the lifted q lies below the hyperplane of a finite, positively oriented cell; ties are broken.
-  bool conflict(const Cell& cell, VertexId q) {
+  [[gnu::always_inline]] bool conflict(const Cell& cell, VertexId q) {
     const int sign = filtered_conflict(cell, q);
     if (sign != kUnsure) [[likely]] {
       ++stats_.conflict_filter;
@@ -103,11 +103,11 @@ class Kernel {
   static constexpr int kUnsure = filter::kUnsure;
   int filtered_orient(const Cell& v) const;
   int filtered_conflict(const Cell& cell, VertexId q) const;
-  int exact_orient(const Cell& v) const;
+  [[gnu::noinline]] int exact_orient(const Cell& v) const;
   SlowSign slow_conflict_sign(const Cell& cell, VertexId q) const;
 
  private:
-  bool slow_perturbed_conflict(const Cell& cell, VertexId q);
+  [[gnu::noinline]] bool slow_perturbed_conflict(const Cell& cell, VertexId q);
 
   const double* x_;
   const double* others_;

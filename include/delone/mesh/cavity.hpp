@@ -31,28 +31,30 @@ template <int K>
 template <int K>
 void find_cavity(const ComplexView<K>& complex, Kernel<K>& kernel, VertexId q, CellId start, Scratch& scratch) {
   auto& [marks, removed, spared, boundary, created, edges] = scratch;
+  using Mark = Scratch::Mark;
   removed.clear();
   spared.clear();
   boundary.clear();
   removed.push_back(start);
-  marks[raw(start)] = Scratch::conflicting;
+  marks[raw(start)] = Mark::conflicting;
   for (std::size_t next = 0; next < removed.size(); ++next) {  // breadth first; the list is the queue
     const CellId c = removed[next];
     for (int i = 0; i <= K; ++i) {
-      const CellId across = complex.cell(complex.twin(c, i));
-      std::uint8_t& mark = marks[raw(across)];
-      if (mark == Scratch::conflicting) continue;
-      if (mark == Scratch::unknown) {
+      const FacetId outside = complex.twin(c, i);
+      const CellId across = complex.cell(outside);
+      const Mark mark = marks[raw(across)];
+      if (mark == Mark::conflicting) continue;
+      if (mark == Mark::unknown) {
         if (in_conflict(complex, kernel, across, q)) {
           for (int j = 0; j <= K; ++j) complex.prefetch(complex.cell(complex.twin(across, j)));
           removed.push_back(across);
-          mark = Scratch::conflicting;
+          marks[raw(across)] = Mark::conflicting;
           continue;
         }
         spared.push_back(across);
-        mark = Scratch::staying;
+        marks[raw(across)] = Mark::staying;
       }
-      boundary.push_back(complex.facet(c, i));
+      boundary.push_back({c, i, outside});
     }
   }
 }

@@ -58,7 +58,7 @@ class Inserter {
   /// A live cell close to the last insertion.
   CellId last_cell() const { return last_; }
   /// What the last insertion changed, if its outcome was `inserted`; valid until the next.
-  Edit edit(VertexId q) const { return {q, scratch_->removed, scratch_->created}; }
+  Edit edit(VertexId q) const { return {.vertex = q, .removed = scratch_->removed, .created = scratch_->created}; }
 
  private:
   VertexId vertex_at_place_of(VertexId q, CellId c) const {
@@ -72,7 +72,7 @@ class Inserter {
     scratch_->reserve_marks(complex_.slot_count());
     find_cavity(complex_, kernel_, q, start, *scratch_);
     mesh_->complex.reserve_more(scratch_->boundary.size(), mesh_->sites.size());
-    scratch_->prepare_star(complex_.slot_count(), mesh_->sites.size());
+    scratch_->prepare_star(K, complex_.slot_count(), mesh_->sites.size());
     fill_cavity(complex_, q, *scratch_);  // from here on nothing fails
     ++mesh_->vertex_count;
     if (mesh_->sites.weighted()) hide_swallowed_vertices();
@@ -87,7 +87,7 @@ class Inserter {
     for (const CellId c : scratch_->removed) {
       for (const VertexId v : complex_.vertices(c)) {
         if (v == kGhost || !complex_.has_vertex(v)) continue;
-        if (scratch_->marks[raw(complex_.incident_cell(v))] != Scratch::conflicting) continue;
+        if (scratch_->marks[raw(complex_.incident_cell(v))] != Scratch::Mark::conflicting) continue;
         complex_.forget(v);
         --mesh_->vertex_count;
       }

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "delone/base/buffer.hpp"
 #include "delone/base/ids.hpp"
@@ -15,42 +14,50 @@ namespace delone {
 struct EdgeTable {
   static constexpr std::size_t kVertices = 48;  ///< larger stars are linked by turning
 
-  Buffer<std::uint8_t> number;  ///< per vertex + 1, the ghost at 0; valid when member[number] is the vertex
+  Buffer<std::uint16_t> number;  ///< per vertex + 1, the ghost at 0; valid when member[number] is the vertex
   std::array<VertexId, kVertices> member;
   std::array<std::array<FacetId, kVertices>, kVertices> facet;
   std::array<std::array<std::size_t, 3>, 2 * kVertices> numbers;  ///< per new cell, of its three boundary vertices
 };
 
-struct Scratch {
-  enum Mark : std::uint8_t { unknown, conflicting, staying };
+/// A facet of the cavity: slot `apex` of cell `inside`, and the same facet from outside.
+struct BoundaryFacet {
+  CellId inside;
+  int apex;
+  FacetId outside;
+};
 
-  Buffer<std::uint8_t> marks;     ///< per cell slot; all `unknown` between insertions
-  std::vector<CellId> removed;    ///< the cavity
-  std::vector<CellId> spared;     ///< cells around it that were tested and stay
-  std::vector<FacetId> boundary;  ///< facets of removed cells towards spared ones
-  std::vector<CellId> created;    ///< the star, in the order of `boundary`
+struct Scratch {
+  // A type of its own, not a character type: a store of one may change no other number, and the compiler knows.
+  enum class Mark : std::uint8_t { unknown, conflicting, staying };
+
+  Buffer<Mark> marks;              ///< per cell slot; all `unknown` between insertions
+  Buffer<CellId> removed;          ///< the cavity
+  Buffer<CellId> spared;           ///< cells around it that were tested and stay
+  Buffer<BoundaryFacet> boundary;  ///< where the cavity meets them
+  Buffer<CellId> created;          ///< the star, in the order of `boundary`
   EdgeTable edges;
 
   /// Marks for cells below `slots`.
   void reserve_marks(std::size_t slots) {
     if (slots <= marks.size()) return;
     marks.reserve_more(slots - marks.size());
-    marks.resize(marks.capacity(), unknown);
+    marks.resize(marks.capacity(), Mark::unknown);
   }
   /// Room for a star beside the cavity just found; on std::bad_alloc the marks are clean.
-  void prepare_star(std::size_t slots, std::size_t vertices) {
+  void prepare_star(int dimension, std::size_t slots, std::size_t vertices) {
     created.resize(boundary.size());
-    if (edges.number.size() <= vertices) edges.number.resize(2 * vertices + 1, 0);
+    if (dimension == 3 && edges.number.size() <= vertices) edges.number.resize(vertices + vertices / 2 + 1, 0);
     reserve_marks(slots + boundary.size());
   }
   std::size_t memory_bytes() const {
-    return marks.capacity() + edges.number.capacity() +
+    return marks.capacity() + edges.number.capacity() * sizeof(std::uint16_t) +
            (removed.capacity() + spared.capacity() + created.capacity()) * sizeof(CellId) +
-           boundary.capacity() * sizeof(FacetId);
+           boundary.capacity() * sizeof(BoundaryFacet);
   }
   void clean_marks() {
-    for (const CellId c : removed) marks[raw(c)] = unknown;
-    for (const CellId c : spared) marks[raw(c)] = unknown;
+    for (const CellId c : removed) marks[raw(c)] = Mark::unknown;
+    for (const CellId c : spared) marks[raw(c)] = Mark::unknown;
   }
 };
 

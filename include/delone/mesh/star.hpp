@@ -22,17 +22,23 @@ namespace star {
 template <int K>
 void link_by_turning(ComplexView<K> complex, VertexId q, const Scratch& scratch) {
   for (std::size_t b = 0; b < scratch.boundary.size(); ++b) {
+    for (int i = 0; i <= K; ++i) {
+      if (i != scratch.boundary[b].apex) complex.set_twin(scratch.created[b], i, kNoFacet);
+    }
+  }
+  for (std::size_t b = 0; b < scratch.boundary.size(); ++b) {
     const CellId fresh = scratch.created[b];
     complex.settle(fresh);
-    const int apex = complex.slot(scratch.boundary[b]);
+    const int apex = scratch.boundary[b].apex;
     for (int i = 0; i <= K; ++i) {
       if (i == apex || complex.twin(fresh, i) != kNoFacet) continue;
       // The ridge lacks slots `in` and `out` of each cell: enter through one facet, leave through the other.
-      CellId c = complex.cell(scratch.boundary[b]);
+      CellId c = scratch.boundary[b].inside;
       int in = apex;
       int out = i;
       FacetId across = complex.twin(c, out);
-      while (scratch.marks[raw(complex.cell(across))] == Scratch::conflicting) {  // ends: the cavity is a ball (I5)
+      while (scratch.marks[raw(complex.cell(across))] ==
+             Scratch::Mark::conflicting) {  // ends: the cavity is a ball (I5)
         const VertexId behind = complex.vertex(c, in);
         c = complex.cell(across);
         in = complex.slot(across);
@@ -50,11 +56,11 @@ void link_by_turning(ComplexView<K> complex, VertexId q, const Scratch& scratch)
 inline void link_cycle(ComplexView<2> complex, VertexId q, const Scratch& scratch) {
   constexpr std::array<int, 3> kNext{1, 2, 0};
   for (std::size_t b = 0; b < scratch.created.size(); ++b) {
-    const int apex = complex.slot(scratch.boundary[b]);
+    const int apex = scratch.boundary[b].apex;
     complex.set_incident(complex.vertex(scratch.created[b], kNext[static_cast<std::size_t>(apex)]), scratch.created[b]);
   }
   for (std::size_t b = 0; b < scratch.created.size(); ++b) {
-    const int apex = complex.slot(scratch.boundary[b]);
+    const int apex = scratch.boundary[b].apex;
     const int start = kNext[static_cast<std::size_t>(apex)];
     const int end = kNext[static_cast<std::size_t>(start)];
     const CellId next = complex.incident_cell(complex.vertex(scratch.created[b], end));
@@ -76,13 +82,13 @@ inline bool link_by_edge_table(ComplexView<3> complex, VertexId q, Scratch& scra
   std::size_t members = 0;
   for (std::size_t b = 0; b < count; ++b) {
     const CellId fresh = scratch.created[b];
-    const auto& corners = kFacet[static_cast<std::size_t>(complex.slot(scratch.boundary[b]))];
+    const auto& corners = kFacet[static_cast<std::size_t>(scratch.boundary[b].apex)];
     std::array<std::size_t, 3> number;
     for (std::size_t i = 0; i < 3; ++i) {
       const VertexId v = complex.vertex(fresh, corners[i]);
-      std::uint8_t& known = table.number[static_cast<Index>(raw(v) + 1)];  // the ghost wraps round to 0
-      if (known >= members || table.member[known] != v) {                  // numbers of earlier stars are not cleared
-        known = static_cast<std::uint8_t>(members);
+      std::uint16_t& known = table.number[static_cast<Index>(raw(v) + 1)];  // the ghost wraps round to 0
+      if (known >= members || table.member[known] != v) {                   // numbers of earlier stars are not cleared
+        known = static_cast<std::uint16_t>(members);
         table.member[members++] = v;
         complex.set_incident(v, fresh);
       }
@@ -94,7 +100,7 @@ inline bool link_by_edge_table(ComplexView<3> complex, VertexId q, Scratch& scra
     }
   }
   for (std::size_t b = 0; b < count; ++b) {
-    const auto& corners = kFacet[static_cast<std::size_t>(complex.slot(scratch.boundary[b]))];
+    const auto& corners = kFacet[static_cast<std::size_t>(scratch.boundary[b].apex)];
     const auto& number = table.numbers[b];
     for (std::size_t i = 0; i < 3; ++i) {
       complex.set_twin(scratch.created[b], corners[(i + 2) % 3], table.facet[number[(i + 1) % 3]][number[i]]);
@@ -111,18 +117,15 @@ template <int K>
 void fill_cavity(ComplexView<K> complex, VertexId q, Scratch& scratch) {
   auto& [marks, removed, spared, boundary, created, edges] = scratch;
   for (std::size_t b = 0; b < boundary.size(); ++b) {
-    const FacetId f = boundary[b];
-    const CellId old = complex.cell(f);
-    const int apex = complex.slot(f);
+    const auto [inside, apex, outside] = boundary[b];
     const CellId fresh = complex.create();
     created[b] = fresh;
-    for (int i = 0; i <= K; ++i) {
-      complex.set_vertex(fresh, i, i == apex ? q : complex.vertex(old, i));
-      complex.set_twin(fresh, i, kNoFacet);
-    }
+    auto vertices = complex.vertices(inside);
+    vertices[static_cast<std::size_t>(apex)] = q;
+    complex.set_vertices(fresh, vertices);
     complex.count_ghost(fresh);
-    complex.link(complex.facet(fresh, apex), complex.twin(f));
-    complex.set_twin(old, apex, complex.facet(fresh, apex));  // from the old boundary to the star, for turning
+    complex.link(complex.facet(fresh, apex), outside);
+    complex.set_twin(inside, apex, complex.facet(fresh, apex));  // from the old boundary to the star, for turning
   }
   if constexpr (K == 2) {
     star::link_cycle(complex, q, scratch);

@@ -143,6 +143,7 @@ class ComplexView {
     complex_->free_ = raw(c);
   }
   void set_vertex(CellId c, int i, VertexId v) { base(c)[i] = raw(v); }
+  void set_vertices(CellId c, const std::array<VertexId, kCorners>& v) { std::memcpy(base(c), v.data(), sizeof v); }
   void set_twin(CellId c, int i, FacetId f) { base(c)[kCorners + static_cast<Index>(i)] = raw(f); }
   void link(FacetId f, FacetId g) {
     set_twin(cell(f), slot(f), g);
