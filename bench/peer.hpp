@@ -2,6 +2,7 @@
 #pragma once
 
 #include <malloc.h>
+#include <time.h>
 
 #include <chrono>
 #include <cstddef>
@@ -14,6 +15,7 @@ namespace delone::bench {
 
 struct Run {
   double seconds = 0;        ///< construction, the library's own sort included; its copy of the points is made before
+  double processor = 0;      ///< seconds of processor time in the same span: less when something else ran
   std::size_t cells = 0;     ///< finite ones
   std::size_t vertices = 0;  ///< 0 where the library does not say
   std::size_t bytes = 0;     ///< that the finished triangulation holds, its coordinates included
@@ -35,9 +37,19 @@ std::vector<Peer> qhull_peers();
 
 class Clock {
  public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  void stop(Run& run) const {
+    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    run.processor = processor_now() - processor_start_;
+  }
 
  private:
+  static double processor_now() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  }
+
+  double processor_start_ = processor_now();
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
@@ -54,7 +66,7 @@ Run measure(Build&& build, Counts&& counts) {
   const Clock clock;
   const auto result = build();
   Run run;
-  run.seconds = clock.seconds();
+  clock.stop(run);
   run.bytes = allocated() - before;
   counts(*result, run);
   return run;

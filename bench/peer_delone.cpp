@@ -14,7 +14,7 @@ Run run(PointsView points) {
   const Clock clock;
   const AnyTriangulation t = build(points);
   Run run;
-  run.seconds = clock.seconds();
+  clock.stop(run);
   run.cells = t.cell_count();
   run.vertices = t.vertex_count();
   run.bytes = t.memory_bytes();

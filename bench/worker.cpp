@@ -1,5 +1,5 @@
 // Runs one library once on one workload, in a process of its own: fresh memory, and nothing of a rival in the caches.
-//   bench_worker PEER KIND N DIMENSION SEED BITS WEIGHT   prints seconds, cells, vertices, bytes
+//   bench_worker PEER KIND N DIMENSION SEED BITS WEIGHT   prints seconds, processor seconds, cells, ...
 //   bench_worker --versions                               prints what was compiled into it, a line each
 // The rows are shuffled; weights are uniform in [0, WEIGHT), none when WEIGHT is 0.
 #include <boost/version.hpp>
@@ -75,7 +75,8 @@ int run(int argc, char** argv) {
   for (const Peer& peer : all_peers()) {
     if (peer.name != name || !peer.fits(dimension, !weights.empty())) continue;
     const auto result = peer.run(view);
-    std::printf("%.6f %zu %zu %zu\n", result.seconds, result.cells, result.vertices, result.bytes);
+    std::printf("%.6f %.6f %zu %zu %zu\n", result.seconds, result.processor, result.cells, result.vertices,
+                result.bytes);
     return 0;
   }
   std::fprintf(stderr, "bench_worker: %s has nothing for dimension %d%s\n", name.c_str(), dimension,
