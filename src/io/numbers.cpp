@@ -47,6 +47,18 @@ bool has_decimal_comma(std::string_view text) {
          std::ranges::all_of(digits, [](char c) { return is_digit(c) || c == ',' || c == '.'; });
 }
 
+bool is_several(std::string_view text) {
+  const std::size_t blank = text.find(' ');
+  if (blank == std::string_view::npos) return false;
+  const std::size_t second = std::min(text.find_first_not_of(' ', blank), text.size());
+  const std::size_t end = std::min(text.find(' ', second), text.size());
+  const auto number = [](std::string_view part) {
+    double value = 0;
+    return parse_number(part, value) == NumberFault::none;
+  };
+  return number(text.substr(0, blank)) && number(text.substr(second, end - second));
+}
+
 NumberFault parse_hexadecimal(std::string_view digits, bool negative, double& value) {
   if (digits.empty() || is_sign(digits.front())) return NumberFault::text;
   const char* const last = digits.data() + digits.size();
@@ -80,6 +92,7 @@ NumberFault parse_number_slowly(std::string_view text, double& value) {
   if (body.starts_with("0x") || body.starts_with("0X")) return parse_hexadecimal(body.substr(2), negative, value);
   if (has_fortran_exponent(body)) return NumberFault::fortran_exponent;
   if (has_decimal_comma(body)) return NumberFault::decimal_comma;
+  if (is_several(text)) return NumberFault::several;
   if (!is_digit(body.front()) && body.front() != '.') return NumberFault::text;
 
   const char* const last = body.data() + body.size();
@@ -115,6 +128,8 @@ std::string explain(NumberFault fault, std::string_view text) {
       return "expected a number, found " + found + ": write the exponent with e";
     case NumberFault::decimal_comma:
       return "expected a number, found " + found + ": write a decimal point, and nothing between thousands";
+    case NumberFault::several:
+      return "expected a number, found " + found + ": write decimal points, and one number per entry";
   }
   return "expected a number, found " + found;
 }

@@ -19,6 +19,7 @@ enum class NumberFault {
   too_small,         ///< not zero, but the nearest double is: 1e-400
   fortran_exponent,  ///< 1.0D5
   decimal_comma,     ///< 1,5
+  several,           ///< 1 2: what "0,1 2,3" looks like between commas
 };
 
 /// Everything that fast parsing does not settle: leading '+', hexadecimal, zero, and faults.

@@ -98,7 +98,7 @@ class TextItems {
     column_ = 0;
   }
   double item(Type) {
-    if (column_ >= rows_.size()) rows_.refuse_row(fmt::format("expected more than {}", counted(rows_.size(), "entry")));
+    if (column_ >= rows_.size()) rows_.refuse_row(fmt::format("expected more than {}", counted(rows_.size(), "item")));
     return rows_.number(column_++);
   }
   [[noreturn]] void refuse_count() const { rows_.refuse(column_ - 1, "expected the length of a list"); }
@@ -160,7 +160,7 @@ class BinaryItems {
   T take() {
     if (bytes_.size() < sizeof(T)) {
       complain(file_, fmt::format("expected {} of element {}, found {} before the end of the file",
-                                  counted(element_->count, "entry"), element_->name, done_));
+                                  counted(element_->count, "item"), element_->name, done_));
     }
     const T value = load<T>(bytes_.data(), order_);
     bytes_.remove_prefix(sizeof(T));

@@ -35,9 +35,9 @@ struct PointTable {
 
 struct ReadOptions {
   PointFormat format = PointFormat::automatic;  ///< by extension; a further ".gz" or gzip magic bytes are looked through
-  std::vector<std::string> columns;             ///< names or 1-based numbers or "last"; empty: all numeric but the weight
-  std::string weights;                          ///< column of weights, or empty
-  std::string radii;                            ///< column of radii: the weight is the double nearest to radius^2
+  std::vector<std::string> columns = {};        ///< names or 1-based numbers or "last"; empty: all numeric but the weight
+  std::string weights = {};                     ///< column of weights, or empty
+  std::string radii = {};                       ///< column of radii: the weight is the double nearest to radius^2
   int dimension = 0;                            ///< demanded number of coordinates, 0 for any
   bool attributes = false;                      ///< keep the remaining columns
 };
