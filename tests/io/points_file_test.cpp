@@ -189,6 +189,10 @@ TEST(TextPoints, entries_are_quoted_short_and_on_one_line) {
             "a: line 2, column 2: expected a number, found '" + std::string(40, 'z') + "...'");
 }
 
+TEST(TextPoints, names_with_line_breaks_are_shown_on_one_line) {
+  EXPECT_EQ(refused("a", "\"x\ny\"\n1\n", {.dimension = 2}), "a: expected 2 coordinates, found 1 (x\\x0ay)");
+}
+
 TEST(TextPoints, lines_are_counted_through_quoted_breaks) {
   EXPECT_EQ(refused("a", "n,x\n\"a\nb\",1\n\"c\nd\",z\n"), "a: line 5, column 2 (x): expected a number, found 'z'");
 }
