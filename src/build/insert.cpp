@@ -90,6 +90,7 @@ Outcome insert_last(Mesh& mesh, const InsertOptions& options) {
 }  // namespace
 
 Inserted insert(AnyTriangulation& t, std::span<const double> point, double weight, const InsertOptions& options) {
+  const ExactEnvironment environment;
   const std::array<double, 1> weights{weight};
   if (point.size() != size(t.dimension())) {
     throw InputError("a point of " + std::to_string(point.size()) + " coordinates: expected " +
@@ -97,7 +98,6 @@ Inserted insert(AnyTriangulation& t, std::span<const double> point, double weigh
   }
   const PointsView one(point, t.dimension(), weights);
   require_fit(t, one);
-  const ExactEnvironment environment;
   const auto row = static_cast<Index>(t.row_count());
   if (t.affine_dimension() < 0 || leave_flat(t, one)) {
     AnyTriangulation anew = build_anew(t, one, {});
@@ -121,8 +121,8 @@ Inserted insert(AnyTriangulation& t, std::span<const double> point, double weigh
 
 void insert(AnyTriangulation& t, PointsView batch, const BuildOptions& options) {
   if (batch.empty()) return;
-  require_fit(t, batch);
   const ExactEnvironment environment;
+  require_fit(t, batch);
   if (batch.size() >= t.row_count() || leave_flat(t, batch)) {
     AnyTriangulation anew = build_anew(t, batch, options);
     std::swap(t, anew);

@@ -11,6 +11,7 @@
 #include "check/affine_hull.hpp"
 #include "check/complex_check.hpp"
 #include "check/violations.hpp"
+#include "delone/base/arithmetic.hpp"
 
 namespace delone {
 namespace {
@@ -190,6 +191,7 @@ class Checker {
 }  // namespace
 
 CheckReport check(PointsView points, const CellTable& cells, const CheckOptions& options) {
+  const ExactEnvironment environment;  // with flushed denormals doubles that differ would compare equal
   return Checker(points, cells, options).run();
 }
 

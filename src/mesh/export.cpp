@@ -217,6 +217,7 @@ PolytopeTable merged_cells(const AnyTriangulation& t) {
 }
 
 std::uint64_t canonical_hash(const AnyTriangulation& t) {
+  const ExactEnvironment environment;
   const auto [rank, distinct] = lexicographic_ranks(t.sites());
   std::uint64_t hash = 0;
   const auto feed = [&hash](std::uint64_t word) { hash = mix(hash ^ word); };
