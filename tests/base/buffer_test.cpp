@@ -1,0 +1,86 @@
+#include "delone/base/buffer.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace delone {
+namespace {
+
+using ::testing::ElementsAre;
+
+Buffer<int> filled(int n) {
+  Buffer<int> buffer;
+  for (int i = 0; i < n; ++i) buffer.push_back(i);
+  return buffer;
+}
+
+std::vector<int> list(const Buffer<int>& buffer) { return {buffer.begin(), buffer.end()}; }
+
+TEST(Buffer, keeps_its_elements_while_it_grows) {
+  const Buffer<int> buffer = filled(100000);
+  ASSERT_EQ(buffer.size(), 100000U);
+  for (std::size_t i = 0; i < buffer.size(); ++i) ASSERT_EQ(buffer[i], static_cast<int>(i));
+}
+
+TEST(Buffer, growing_one_by_one_moves_it_rarely) {
+  Buffer<int> buffer;
+  int moves = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const std::size_t before = buffer.capacity();
+    buffer.push_back(i);
+    moves += buffer.capacity() != before ? 1 : 0;
+  }
+  EXPECT_LT(moves, 40);
+}
+
+TEST(Buffer, a_copy_is_another_and_a_move_leaves_nothing) {
+  Buffer<int> first = filled(3);
+  Buffer<int> second = first;
+  second[0] = 9;
+  EXPECT_THAT(list(first), ElementsAre(0, 1, 2));
+  EXPECT_THAT(list(second), ElementsAre(9, 1, 2));
+  const Buffer<int> third = std::move(second);
+  EXPECT_THAT(list(third), ElementsAre(9, 1, 2));
+  EXPECT_TRUE(second.empty());  // NOLINT(bugprone-use-after-move): what a move leaves is the point
+  first = third;
+  EXPECT_THAT(list(first), ElementsAre(9, 1, 2));
+  const Buffer<int> empty_copy = Buffer<int>();
+  EXPECT_TRUE(Buffer<int>(empty_copy).empty());
+}
+
+TEST(Buffer, resizing_fills_only_what_is_new) {
+  Buffer<int> buffer = filled(2);
+  buffer.resize(4, 7);
+  EXPECT_THAT(list(buffer), ElementsAre(0, 1, 7, 7));
+  buffer.resize(1);
+  EXPECT_THAT(list(buffer), ElementsAre(0));
+}
+
+TEST(Buffer, gives_back_what_it_does_not_need) {
+  Buffer<int> buffer = filled(1000);
+  buffer.resize(10);
+  buffer.shrink_to_fit();
+  EXPECT_EQ(buffer.capacity(), 10U);
+  EXPECT_EQ(buffer[9], 9);
+  buffer.clear();
+  buffer.shrink_to_fit();
+  EXPECT_EQ(buffer.capacity(), 0U);
+}
+
+TEST(Buffer, a_request_beyond_memory_throws_and_changes_nothing) {
+  Buffer<double> buffer(3);
+  buffer[2] = 5.0;
+  const std::size_t most = std::numeric_limits<std::size_t>::max();
+  EXPECT_THROW(buffer.reserve(most), std::bad_alloc);
+  EXPECT_THROW(buffer.reserve(most / sizeof(double) + 2), std::bad_alloc);  // its bytes would wrap around
+  EXPECT_EQ(buffer.size(), 3U);
+  EXPECT_EQ(buffer[2], 5.0);
+}
+
+}  // namespace
+}  // namespace delone

@@ -1,0 +1,339 @@
+// Signs, and which stage decides them.
+#include "delone/geometry/kernel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "delone/geometry/exact_predicates.hpp"
+#include "exact/integer.hpp"
+#include "support/families.hpp"
+
+namespace delone {
+namespace {
+
+using exact::BigInt;
+using test::PointSet;
+using test::Random;
+
+constexpr double kTiniest = std::numeric_limits<double>::denorm_min();
+
+enum class Decided { filter, adaptive, exact, symbolic };
+
+std::ostream& operator<<(std::ostream& out, Decided stage) {
+  constexpr std::array<const char*, 4> kNames{"filter", "adaptive", "exact", "symbolic"};
+  return out << kNames[static_cast<std::size_t>(stage)];
+}
+
+template <int K>
+Sites sites_of(const std::vector<double>& coordinates, const std::vector<double>& weights = {}, int dimension = K) {
+  Flat flat{K, {}};
+  for (int axis = 0; axis < K; ++axis) flat.axes[static_cast<std::size_t>(axis)] = axis;
+  Sites sites(dimension, !weights.empty(), flat);
+  const PointsView points(coordinates, dimension, weights);
+  sites.reserve_more(points.size());
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    sites.append(points[row], points.weight(row), static_cast<Index>(row));
+  }
+  return sites;
+}
+
+template <int K>
+typename Kernel<K>::Cell first_cell() {
+  typename Kernel<K>::Cell cell;
+  for (std::size_t i = 0; i < cell.size(); ++i) cell[i] = VertexId{static_cast<Index>(i)};
+  return cell;
+}
+
+/// Orientation of the K + 1 points, and the stage that decides it.
+template <int K>
+void expect_orient(const std::vector<double>& points, int sign, Decided stage) {
+  const Sites sites = sites_of<K>(points);
+  Kernel<K> kernel(sites);
+  EXPECT_EQ(kernel.orient(first_cell<K>()), sign);
+  std::array<const double*, K + 1> pointers;
+  for (std::size_t i = 0; i < pointers.size(); ++i) pointers[i] = sites.leading() + i * K;
+  const SlowSign slow = slow_orient<K>(pointers);
+  EXPECT_EQ(slow.sign, sign);
+  const bool filtered = kernel.filtered_orient(first_cell<K>()) != Kernel<K>::kUnsure;
+  EXPECT_EQ(filtered ? Decided::filter : (slow.stage == Stage::adaptive ? Decided::adaptive : Decided::exact), stage);
+  EXPECT_EQ(kernel.stats().orient_filter, filtered ? 1U : 0U);
+}
+
+/// Whether the last point conflicts with the positive cell of the K + 1 points before it, and the deciding stage.
+template <int K>
+void expect_conflict(const std::vector<double>& points, bool conflict, Decided stage,
+                     const std::vector<double>& weights = {}, int dimension = K) {
+  const Sites sites = sites_of<K>(points, weights, dimension);
+  Kernel<K> kernel(sites);
+  ASSERT_EQ(kernel.orient(first_cell<K>()), 1) << "the cell of the test is not positive";
+  EXPECT_EQ(kernel.conflict(first_cell<K>(), VertexId{K + 1}), conflict);
+  const PredicateStats& stats = kernel.stats();
+  const std::array<std::uint64_t, 4> counts{stats.conflict_filter, stats.conflict_adaptive, stats.conflict_exact,
+                                            stats.conflict_symbolic};
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    EXPECT_EQ(counts[i], i == static_cast<std::size_t>(stage) ? 1U : 0U) << static_cast<Decided>(i);
+  }
+}
+
+TEST(Orient, plain_turns_are_decided_by_the_filter) {
+  expect_orient<1>({0, 1}, 1, Decided::filter);
+  expect_orient<1>({0, -kTiniest}, -1, Decided::filter);
+  expect_orient<2>({0, 0, 1, 0, 0.5, 1e-30}, 1, Decided::filter);
+  expect_orient<2>({0, 0, 1, 0, 0.5, -1e-30}, -1, Decided::filter);
+  expect_orient<3>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0.3, 0.3, 1e-9}, 1, Decided::filter);
+  expect_orient<4>({0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, 1, Decided::filter);
+}
+
+TEST(Orient, collinear_and_coplanar_grid_points_are_decided_by_short_integers) {
+  expect_orient<2>({0, 0, 3, 1, 6, 2}, 0, Decided::adaptive);
+  expect_orient<3>({0, 0, 0, 1, 0, 2, 0, 1, 3, 1, 1, 5}, 0, Decided::adaptive);
+  expect_orient<2>({0, 0, 0x1p54, 0x1p54, 0x1p53, 0x1p53}, 0, Decided::adaptive);  // over 2^53 they are short
+  expect_orient<2>({1e6, 1e6, 1e6 + 0.25, 1e6 + 0.5, 1e6 + 0.5, 1e6 + 1}, 0, Decided::adaptive);
+}
+
+TEST(Orient, what_a_double_cannot_tell_is_decided_by_the_last_bit) {
+  // (0.1, 0.1), (0.2, 0.2), (0.3, y): 0.3 is not exactly three tenths, but x == y keeps the points collinear.
+  expect_orient<2>({0.1, 0.1, 0.2, 0.2, 0.3, 0.3}, 0, Decided::adaptive);
+  expect_orient<2>({0.1, 0.1, 0.2, 0.2, 0.3, std::nextafter(0.3, 1.0)}, 1, Decided::adaptive);
+  expect_orient<2>({0.1, 0.1, 0.2, 0.2, 0.3, std::nextafter(0.3, 0.0)}, -1, Decided::adaptive);
+}
+
+TEST(Orient, far_exponents_are_decided_by_integers_of_any_size) {
+  expect_orient<2>({0, 0, 1e300, 1e300, -1e300, -1e300}, 0, Decided::adaptive);  // over 2^944 they are short
+  expect_orient<2>({0, kTiniest, 1e300, 1e300, -1e300, -1e300}, -1, Decided::exact);
+  expect_orient<2>({0, -kTiniest, 1e300, 1e300, -1e300, -1e300}, 1, Decided::exact);
+  expect_orient<2>({-0x1.8p1023, 0, 0x1.8p1023, 0, 0, kTiniest}, 1, Decided::exact);
+  expect_orient<2>({0, 0, kTiniest, 0, 0, kTiniest}, 1, Decided::adaptive);
+  expect_orient<3>({0, 0, 0, kTiniest, 0, 0, 0, kTiniest, 0, 0, 0, kTiniest}, 1, Decided::adaptive);
+  expect_orient<3>({0, 0, 0, 1e200, 0, 0, 0, 1e200, 0, 1, 1, 1e-300}, 1, Decided::exact);
+}
+
+TEST(Conflict, plain_points_are_decided_by_the_filter) {
+  expect_conflict<1>({0, 1, 0.5}, true, Decided::filter);
+  expect_conflict<2>({0, 0, 1, 0, 0, 1, 0.4, 0.4}, true, Decided::filter);
+  expect_conflict<2>({0, 0, 1, 0, 0, 1, 2, 2}, false, Decided::filter);
+  expect_conflict<3>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.3, 0.3, 0.3}, true, Decided::filter);
+  expect_conflict<4>({0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0.2, 0.2, 0.2, 0.2}, true,
+                     Decided::filter);
+}
+
+TEST(Conflict, a_lattice_ends_in_short_integers_and_the_tie_rule) {
+  expect_conflict<2>({0, 0, 1, 0, 0, 1, 1, 1}, true, Decided::symbolic);   // the cell lacks nothing but (0, 0) does it
+  expect_conflict<2>({0, 0, 1, 0, 1, 1, 0, 1}, false, Decided::symbolic);  // coned from (0, 0) already
+  expect_conflict<2>({1, 0, 1, 1, 0, 1, 0, 0}, true, Decided::symbolic);   // the smallest of all comes
+  expect_conflict<2>({0, 0, 1, 0, 0, 1, 1, 1 - 0x1p-52}, true, Decided::adaptive);
+  expect_conflict<2>({0, 0, 1, 0, 0, 1, 1, 1 + 0x1p-52}, false, Decided::adaptive);
+}
+
+TEST(Conflict, points_close_to_a_sphere_are_decided_by_double_doubles) {
+  // Random points of a circle, rounded: off by an ulp or so, which neither doubles nor 128-bit integers can tell.
+  Random random(1);
+  std::uint64_t decided = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<double> points;
+    for (int i = 0; i < 4; ++i) {
+      const double angle =
+          2 * std::numbers::pi * (i < 3 ? i / 3.0 + 0.3 * test::unit_random(random) : test::unit_random(random));
+      points.insert(points.end(), {std::cos(angle), std::sin(angle)});
+    }
+    const Sites sites = sites_of<2>(points);
+    Kernel<2> kernel(sites);
+    kernel.conflict(first_cell<2>(), VertexId{3});
+    decided += kernel.stats().conflict_adaptive;
+    EXPECT_EQ(kernel.stats().conflict_filter, 0U);
+  }
+  EXPECT_GT(decided, 190U);
+}
+
+TEST(Conflict, far_exponents_are_decided_by_integers_of_any_size) {
+  expect_conflict<2>({0, 0, 1e300, 0, 0, 1e300, 1e300, 1e300}, true, Decided::symbolic);
+  expect_conflict<2>({0, 0, 1e300, 0, 0, 1e300, 1e300, std::nextafter(1e300, 0.0)}, true, Decided::exact);
+  // The circle through (-1, 0), (1, 0) and (t, 1) has its centre at (0, t^2 / 2).
+  expect_conflict<2>({-1, 0, 1, 0, kTiniest, 1, 0, 1}, true, Decided::exact);
+  expect_conflict<2>({-1, 0, 1, 0, kTiniest, 1, 0, -1}, false, Decided::exact);
+  expect_conflict<2>({-1, 0, 1, 0, 0, 1, kTiniest, -1}, false, Decided::exact);
+  expect_conflict<2>({0, 0, kTiniest, 0, 0, kTiniest, 2 * kTiniest, 2 * kTiniest}, false, Decided::adaptive);
+}
+
+TEST(Conflict, weights_move_the_heights) {
+  // The power circle of the unit triangle with equal weights; the centre's height is 0.5 below its plane.
+  expect_conflict<2>({0, 0, 1, 0, 0, 1, 0.5, 0.5}, true, Decided::filter, {1, 1, 1, 1});
+  expect_conflict<2>({0, 0, 1, 0, 0, 1, 0.5, 0.5}, true, Decided::filter, {1, 1, 1, 0.75});
+  expect_conflict<2>({0, 0, 1, 0, 0, 1, 0.5, 0.5}, false, Decided::symbolic, {1, 1, 1, 0.5});
+  expect_conflict<2>({0, 0, 1, 0, 0, 1, 0.5, 0.5}, false, Decided::adaptive, {1, 1, 1, 0.5 - 0x1p-54});
+  expect_conflict<2>({0, 0, 1, 0, 0, 1, 0.5, 0.5}, true, Decided::adaptive, {1, 1, 1, 0.5 + 0x1p-53});
+  expect_conflict<2>({0, 0, 1, 0, 0, 1, 9, 9}, true, Decided::filter, {0, 0, 0, 1e10});
+  expect_conflict<2>({0, 0, 1, 0, 0, 1, 0.5, 0.5}, false, Decided::exact, {0, 0, 0, -1.7e308});
+}
+
+TEST(Conflict, coordinates_beside_the_flat_are_seen_by_heights) {
+  // A vertical line: orientation on x alone, heights from both coordinates.
+  expect_conflict<1>({0, 0, 2, 2, 1, 1}, true, Decided::filter, {}, 2);
+  expect_conflict<1>({0, 0, 2, 2, 4, 4}, false, Decided::filter, {}, 2);
+}
+
+/// Points near a line through `origin`: multiples of one direction, then off by a few ulps.
+std::vector<double> near_collinear(Random& random) {
+  const double dx = test::unit_random(random);
+  const double dy = test::unit_random(random);
+  std::vector<double> points;
+  for (int i = 0; i < 3; ++i) {
+    const double t = std::ldexp(test::unit_random(random), static_cast<int>(random() % 5));
+    points.insert(points.end(), {12 + t * dx, 12 + t * dy});
+  }
+  return points;
+}
+
+TEST(Orient, is_antisymmetric_on_two_hundred_thousand_triples_close_to_lines) {
+  Random random(2);
+  std::uint64_t unsure = 0;
+  for (int trial = 0; trial < 200000; ++trial) {
+    const Sites sites = sites_of<2>(near_collinear(random));
+    Kernel<2> kernel(sites);
+    const VertexId a{0}, b{1}, c{2};
+    const int sign = kernel.orient({a, b, c});
+    ASSERT_EQ(kernel.orient({b, c, a}), sign);
+    ASSERT_EQ(kernel.orient({c, a, b}), sign);
+    ASSERT_EQ(kernel.orient({b, a, c}), -sign);
+    ASSERT_EQ(kernel.orient({a, c, b}), -sign);
+    unsure += kernel.stats().orient_exact > 0 ? 1 : 0;
+  }
+  EXPECT_GT(unsure, 10000U);  // the triples are as close as they should be
+}
+
+// --- The filter never contradicts integers. ---
+
+/// Near-degenerate numbers: a coarse lattice, missed by the last bits or by some bits, at some scale, off the origin.
+std::vector<double> near_lattice(Random& random, std::size_t count, int exponent) {
+  const double offset = random() % 2 == 0 ? 0.0 : 1000.0;
+  const int miss = 20 + static_cast<int>(random() % 34);
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < count; ++i) {
+    double x = offset + static_cast<double>(random() % 3);
+    if (random() % 2 == 0) x += std::ldexp(test::unit_random(random) - 0.5, -miss);
+    numbers.push_back(std::ldexp(x, exponent));
+  }
+  return numbers;
+}
+
+int scale(Random& random) {  // where partial products get close to the ends of the range, too
+  constexpr std::array<int, 9> kScales{0, 0, 0, 60, 88, -60, -100, -160, -200};
+  return kScales[random() % kScales.size()];
+}
+
+template <int K>
+void expect_filter_agrees(int trials) {
+  Random random(K);
+  std::uint64_t certain = 0;
+  std::uint64_t unsure = 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    const int exponent = scale(random);
+    const bool weighted = trial % 3 == 0;
+    const auto coordinates = near_lattice(random, (K + 2) * K, exponent);
+    const auto weights = weighted ? near_lattice(random, K + 2, 2 * exponent) : std::vector<double>();
+    const Sites sites = sites_of<K>(coordinates, weights);
+    const Kernel<K> kernel(sites);
+    auto cell = first_cell<K>();
+    const int orient = kernel.exact_orient(cell);
+    if (const int sign = kernel.filtered_orient(cell); sign != Kernel<K>::kUnsure) {
+      ASSERT_EQ(sign, orient);
+    }
+    if (orient == 0) continue;
+    if constexpr (K >= 1) {
+      if (orient < 0) std::swap(cell[0], cell[1]);
+    }
+    const int sign = kernel.filtered_conflict(cell, VertexId{K + 1});
+    ++(sign == Kernel<K>::kUnsure ? unsure : certain);
+    if (sign != Kernel<K>::kUnsure) {
+      ASSERT_EQ(sign, kernel.slow_conflict_sign(cell, VertexId{K + 1}).sign);
+    }
+  }
+  EXPECT_GT(certain, static_cast<std::uint64_t>(trials / 20));
+  EXPECT_GT(unsure, static_cast<std::uint64_t>(trials / 20));
+}
+
+TEST(Filter, never_contradicts_integers_on_points_that_just_miss_a_lattice) {
+  expect_filter_agrees<1>(100000);
+  expect_filter_agrees<2>(200000);
+  expect_filter_agrees<3>(100000);
+  expect_filter_agrees<4>(20000);
+  expect_filter_agrees<5>(5000);
+  expect_filter_agrees<6>(2000);
+}
+
+// --- The slow stages agree with big integers, whichever of them answers. ---
+
+template <int K>
+int conflict_by_big_integers(const std::vector<double>& x, const std::vector<double>& w) {
+  constexpr int kUnit = -1074;
+  const auto integer = [](double value, int unit) { return exact::to_integer<BigInt>(exact::decompose(value), unit); };
+  Matrix<K + 1, BigInt> m;
+  for (std::size_t i = 0; i <= K; ++i) {
+    BigInt height = w.empty() ? BigInt(0) : BigInt(integer(w[K + 1], 2 * kUnit) - integer(w[i], 2 * kUnit));
+    for (std::size_t j = 0; j < K; ++j) {
+      m[i][j] = integer(x[i * K + j], kUnit) - integer(x[(K + 1) * K + j], kUnit);
+      height += m[i][j] * m[i][j];
+    }
+    m[i][K] = height;
+  }
+  const int sign = exact::sign(determinant<K + 1>(m));
+  return K % 2 == 0 ? sign : -sign;
+}
+
+/// From few bits to all, from the smallest exponents to the largest.
+std::vector<double> any_numbers(Random& random, std::size_t count) {
+  const int kind = static_cast<int>(random() % 6);
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto small = static_cast<double>(random() % 5) - 2;
+    const double fine = test::unit_random(random);
+    const auto far = static_cast<int>(random() % 2000) - 1060;
+    numbers.push_back(kind == 0   ? small
+                      : kind == 1 ? std::ldexp(small, 1020)
+                      : kind == 2 ? std::ldexp(small, -1074)
+                      : kind == 3 ? small + std::ldexp(fine, -30)
+                      : kind == 4 ? std::ldexp(std::floor(fine * 0x1p21), -10)  // the widest that 128 bits decide in 2D
+                                  : std::ldexp(small, random() % 2 == 0 ? far : 0));
+  }
+  return numbers;
+}
+
+template <int K>
+void expect_slow_stages_agree(int trials) {
+  Random random(K);
+  for (int trial = 0; trial < trials; ++trial) {
+    const auto x = any_numbers(random, (K + 2) * K);
+    const auto w = trial % 2 == 0 ? any_numbers(random, K + 2) : std::vector<double>();
+    const Sites sites = sites_of<K>(x, w);
+    const Kernel<K> kernel(sites);
+    ASSERT_EQ(kernel.slow_conflict_sign(first_cell<K>(), VertexId{K + 1}).sign, conflict_by_big_integers<K>(x, w));
+  }
+}
+
+TEST(SlowConflict, agrees_with_big_integers_over_the_whole_range_of_doubles) {
+  expect_slow_stages_agree<1>(3000);
+  expect_slow_stages_agree<2>(3000);
+  expect_slow_stages_agree<3>(1500);
+  expect_slow_stages_agree<4>(500);
+  expect_slow_stages_agree<5>(150);
+  expect_slow_stages_agree<6>(50);
+  expect_slow_stages_agree<7>(15);
+  expect_slow_stages_agree<8>(8);
+}
+
+TEST(Kernel, lexicographic_order_is_that_of_coordinates) {
+  const Sites sites = sites_of<2>({0, 1, 0, 2, 1, 0, 0, 1, -0.0, 1});
+  const Kernel<2> kernel(sites);
+  EXPECT_TRUE(kernel.before(VertexId{0}, VertexId{1}));
+  EXPECT_TRUE(kernel.before(VertexId{1}, VertexId{2}));
+  EXPECT_FALSE(kernel.before(VertexId{2}, VertexId{0}));
+  EXPECT_TRUE(kernel.same_place(VertexId{0}, VertexId{3}));
+  EXPECT_TRUE(kernel.same_place(VertexId{0}, VertexId{4}));  // the two zeros are one place
+}
+
+}  // namespace
+}  // namespace delone

@@ -1,0 +1,53 @@
+#include "delone/geometry/sites.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace delone {
+namespace {
+
+Sites plane_in_space() {  // the flat of axes 0 and 2: axis 1 is seen by heights only
+  Sites sites(3, true, Flat{2, {0, 2}});
+  sites.reserve_more(3);
+  sites.append(std::vector<double>{1, 2, 3}, 0.5, 2);
+  sites.append(std::vector<double>{4, 5, -6}, 0.25, 0);
+  sites.append(std::vector<double>{1, 2, 3}, 0.125, 1);
+  return sites;
+}
+
+TEST(Sites, coordinates_come_back_on_their_axes) {
+  const Sites sites = plane_in_space();
+  EXPECT_EQ(sites.leading()[2], 4.0);
+  EXPECT_EQ(sites.leading()[3], -6.0);
+  EXPECT_EQ(sites.others()[1], 5.0);
+  for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(sites.coordinate(VertexId{0}, axis), axis + 1.0);
+  EXPECT_EQ(sites.weight(VertexId{1}), 0.25);
+  EXPECT_EQ(sites.magnitude(), 6.0);
+}
+
+TEST(Sites, rows_and_vertices_are_inverse) {
+  Sites sites = plane_in_space();
+  for (Index row = 0; row < 3; ++row) EXPECT_EQ(sites.row(sites.vertex(row)), row);
+  EXPECT_EQ(sites.vertex(2), VertexId{0});
+  EXPECT_TRUE(sites.same_place(VertexId{0}, VertexId{2}));
+  EXPECT_FALSE(sites.same_place(VertexId{0}, VertexId{1}));
+  sites.swap_rows(VertexId{0}, VertexId{2});
+  EXPECT_EQ(sites.row(VertexId{0}), 1U);
+  EXPECT_EQ(sites.row(VertexId{2}), 2U);
+  for (Index row = 0; row < 3; ++row) EXPECT_EQ(sites.row(sites.vertex(row)), row);
+}
+
+TEST(Sites, the_last_one_can_be_taken_back) {
+  Sites sites = plane_in_space();
+  sites.reserve_more(1);
+  sites.append(std::vector<double>{7, 8, 9}, 1.0, 3);
+  sites.drop_last();
+  EXPECT_EQ(sites.size(), 3U);
+  EXPECT_EQ(sites.coordinate(VertexId{2}, 1), 2.0);
+  sites.append(std::vector<double>{-1, -2, -3}, 1.0, 3);
+  EXPECT_EQ(sites.coordinate(sites.vertex(3), 2), -3.0);
+}
+
+}  // namespace
+}  // namespace delone

@@ -1,0 +1,94 @@
+#include "delone/order/brio.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "support/families.hpp"
+
+namespace delone {
+namespace {
+
+using namespace test;
+
+std::vector<int> all_axes(int dimension) {
+  std::vector<int> axes(static_cast<std::size_t>(dimension));
+  std::iota(axes.begin(), axes.end(), 0);
+  return axes;
+}
+
+bool is_permutation_of_rows(std::vector<Index> order, std::size_t n) {
+  std::ranges::sort(order);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (order[i] != i) return false;
+  }
+  return order.size() == n;
+}
+
+TEST(Brio, is_a_permutation_of_every_family) {
+  for (int dimension = 1; dimension <= 8; ++dimension) {
+    for (const PointSet& points : unweighted_families(dimension, 300, 1)) {
+      EXPECT_TRUE(is_permutation_of_rows(brio_order(points.view(), all_axes(dimension)), points.size())) << points.name;
+    }
+  }
+}
+
+TEST(Brio, is_a_permutation_when_the_extent_is_beyond_double) {
+  PointSet points = uniform(3, 20000, 1);
+  for (double& x : points.coordinates) x = (x - 0.5) * 2 * std::numeric_limits<double>::max();
+  EXPECT_TRUE(is_permutation_of_rows(brio_order(points.view(), all_axes(3)), points.size()));
+}
+
+TEST(Brio, is_a_permutation_when_points_crowd_deeper_and_deeper) {
+  PointSet points{"crowd", 2, {}, {}};
+  for (int i = 0; i < 20000; ++i) {  // each scale holds some hundred points
+    const double scale = std::ldexp(1.0, -5 * (i % 200));
+    points.coordinates.insert(points.coordinates.end(), {scale * (1 + i % 7), scale * (1 + i % 11)});
+  }
+  EXPECT_TRUE(is_permutation_of_rows(brio_order(points.view(), all_axes(2)), points.size()));
+  points.coordinates.assign(40000, 0.25);
+  EXPECT_TRUE(is_permutation_of_rows(brio_order(points.view(), all_axes(2)), 20000));
+}
+
+TEST(Brio, few_points_and_none_are_ordered_too) {
+  EXPECT_TRUE(brio_order(PointsView({}, 2), all_axes(2)).empty());
+  EXPECT_TRUE(is_permutation_of_rows(brio_order(uniform(2, 1, 1).view(), all_axes(2)), 1));
+  EXPECT_TRUE(is_permutation_of_rows(brio_order(uniform(2, 3, 1).view(), {}), 3));
+}
+
+/// Mean distance between points that follow each other, over that of neighbours on a grid of as many points.
+double roughness(const PointSet& points, const std::vector<Index>& order) {
+  double length = 0;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    double square = 0;
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(points.dimension); ++axis) {
+      const double d = points.view()[order[i]][axis] - points.view()[order[i - 1]][axis];
+      square += d * d;
+    }
+    length += std::sqrt(square);
+  }
+  const auto n = static_cast<double>(order.size());
+  return length / n * std::pow(n, 1.0 / points.dimension);
+}
+
+TEST(Brio, points_that_follow_each_other_are_close) {
+  for (int dimension = 2; dimension <= 4; ++dimension) {
+    const PointSet points = uniform(dimension, 30000, 7);
+    EXPECT_LT(roughness(points, brio_order(points.view(), all_axes(dimension))), 2.0) << dimension;
+  }
+}
+
+TEST(Brio, a_crowd_is_ordered_as_finely_as_everything_else) {
+  PointSet points = uniform(2, 20000, 3);  // all but one in a cell of the first grid
+  points.coordinates.insert(points.coordinates.end(), {1e9, 1e9});
+  std::vector<Index> order = brio_order(points.view(), all_axes(2));
+  std::erase(order, 20000);
+  EXPECT_LT(roughness(points, order), 2.0);
+}
+
+}  // namespace
+}  // namespace delone
