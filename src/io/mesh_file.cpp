@@ -73,6 +73,14 @@ const Entry& entry_of(MeshFormat format) {
   return kFormats.front();
 }
 
+/// Merged polytopes none of which has more corners than a simplex are the simplices.
+bool merges_nothing(const MeshView& mesh) {
+  for (std::size_t cell = 0; cell < mesh.merged->size(); ++cell) {
+    if ((*mesh.merged)[cell].size() != static_cast<std::size_t>(mesh.cells.corners)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<MeshFormat> mesh_format(const std::string& name) {
@@ -94,7 +102,10 @@ std::optional<MeshFormat> mesh_format_of_path(const std::string& path) {
 Paths write_mesh(const std::string& path, MeshFormat format, const MeshView& mesh, const PictureOptions& picture) {
   const Entry& entry = entry_of(format);
   if (path.ends_with(".gz") && !entry.packs) refuse_mesh(entry.name, "are not compressed: leave out .gz");
-  return entry.write(path, mesh, picture);
+  MeshView shown = mesh;
+  const bool rows_only = format == MeshFormat::csv || format == MeshFormat::cells;
+  if (!rows_only && mesh.merged != nullptr && merges_nothing(mesh)) shown.merged = nullptr;
+  return entry.write(path, shown, picture);
 }
 
 }  // namespace delone::io

@@ -54,7 +54,7 @@ void set_colour(cairo_t* context, Colour colour, double opacity) {
 constexpr int kBatch = 20'000;
 
 void draw_edges(const Scene& scene, cairo_t* context) {
-  cairo_set_line_width(context, kEdgeWidth * scene.width / 1600.0 + 0.2);
+  cairo_set_line_width(context, scene.edge_width);
   cairo_set_line_cap(context, CAIRO_LINE_CAP_BUTT);
   std::array<std::vector<std::array<Index, 2>>, kOpacitySteps + 1> groups;
   for (const auto& edge : scene.edges) {

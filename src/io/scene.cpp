@@ -59,7 +59,10 @@ Range range_of_sizes(const std::vector<float>& sizes) {
   };
   const double large = seen(0.92);
   const double small = (double{seen(0.02)} + double{sample[sample.size() / 20]}) / 2;
-  return {small, std::max(large, small)};
+  // Sizes that differ little get tones that differ little.
+  constexpr double kLeast = 5;  // a factor of 32
+  const double middle = (small + large) / 2;
+  return {std::min(small, middle - kLeast / 2), std::max(large, middle + kLeast / 2)};
 }
 
 float tone_within(const Range& range, double x) {
@@ -179,11 +182,12 @@ void light(const std::vector<double>& elevation, Scene& scene) {
   }
 }
 
-void choose_dots(const MeshView& mesh, Scene& scene) {
+void choose_dots_and_lines(const MeshView& mesh, Scene& scene) {
   const std::size_t n = mesh.points.size();
   const double spacing = std::sqrt(scene.width * static_cast<double>(scene.height) / static_cast<double>(n + 1));
+  scene.edge_width = std::clamp(spacing / 50, 0.8, 2.0);
   if (spacing < 14) return;
-  scene.dot_radius = std::clamp(spacing / 18, 1.2, 4.0);
+  scene.dot_radius = std::clamp(spacing / 18, 1.2, 6.0);
   std::vector<bool> used(n, false);
   for (const Index row : mesh.cells.vertices) used[row] = true;
   for (std::size_t row = 0; row < n; ++row) {
@@ -255,7 +259,7 @@ Scene compose(const MeshView& mesh, const PictureOptions& options, std::string_v
     scene.tone.reserve(sizes.size());
     for (const float size : sizes) scene.tone.push_back(1 - tone_within(range, size));
   }
-  choose_dots(mesh, scene);
+  choose_dots_and_lines(mesh, scene);
   return scene;
 }
 

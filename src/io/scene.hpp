@@ -37,6 +37,7 @@ struct Scene {
   std::vector<Index> vertices;                  ///< rows to be drawn as dots; empty when there are too many
   std::vector<Index> hidden;                    ///< rows without a place in the triangulation, drawn likewise
   double dot_radius = 0;
+  double edge_width = 1;
 
   bool lit() const { return !height_tone.empty(); }
   Palette palette() const;
@@ -50,7 +51,6 @@ struct Scene {
 inline constexpr Colour kPaper{255, 255, 255};
 inline constexpr Colour kInk{27, 44, 66};
 inline constexpr Colour kHiddenInk{192, 57, 43};
-inline constexpr double kEdgeWidth = 0.8;
 inline constexpr int kOpacitySteps = 8;  ///< edges are drawn in so many groups of like opacity
 
 /// @throws InputError when the points have more than 2 dimensions

@@ -75,7 +75,7 @@ void write_edges(const Scene& scene, Output& out) {
     groups[static_cast<std::size_t>(scene.opacity(edge) * kOpacitySteps + 0.5)].push_back(edge);
   }
   Paths paths(scene, out);
-  out.print("<g fill=\"none\" stroke=\"{}\" stroke-width=\"{}\">\n", hex(kInk), std::lround(kEdgeWidth * kUnits));
+  out.print("<g fill=\"none\" stroke=\"{}\" stroke-width=\"{}\">\n", hex(kInk), std::lround(scene.edge_width * kUnits));
   for (std::size_t step = 1; step < groups.size(); ++step) {
     if (groups[step].empty()) continue;
     out.print("<path stroke-opacity=\"{}\" d=\"", static_cast<double>(step) / kOpacitySteps);

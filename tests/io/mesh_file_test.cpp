@@ -237,9 +237,17 @@ TEST(MeshFile, merged_polygons_go_round_their_boundary) {
   EXPECT_EQ(merged_square().refused("node"), "node files cannot hold merged polytopes: write cells or csv");
   EXPECT_EQ(merged_square().refused("npy"), "npy files cannot hold merged polytopes: write cells or csv");
   Mesh solid = tetrahedron();
-  solid.merged.offsets = {0, 4};
-  solid.merged.vertices = {0, 1, 2, 3};
+  solid.points.coordinates.insert(solid.points.coordinates.end(), {1, 1, 1});
+  solid.merged.offsets = {0, 5};
+  solid.merged.vertices = {0, 1, 2, 3, 4};
   EXPECT_EQ(solid.refused("vtu"), "vtu files hold merged polytopes only of points in the plane: write cells or csv");
+}
+
+TEST(MeshFile, merged_simplices_are_simplices) {
+  Mesh mesh = tetrahedron();
+  mesh.merged.offsets = {0, 4};
+  mesh.merged.vertices = {0, 1, 2, 3};
+  EXPECT_EQ(mesh.text("off"), tetrahedron().text("off"));
 }
 
 TEST(MeshFile, dimensions_that_a_format_cannot_hold_are_refused) {

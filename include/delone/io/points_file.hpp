@@ -34,15 +34,22 @@ struct PointTable {
 };
 
 struct ReadOptions {
-  PointFormat format = PointFormat::automatic;  ///< by extension; a further ".gz" or gzip magic bytes are looked through
-  std::vector<std::string> columns = {};        ///< names or 1-based numbers or "last"; empty: all numeric but the weight
-  std::string weights = {};                     ///< column of weights, or empty
-  std::string radii = {};                       ///< column of radii: the weight is the double nearest to radius^2
-  int dimension = 0;                            ///< demanded number of coordinates, 0 for any
-  bool attributes = false;                      ///< keep the remaining columns
+  PointFormat format =
+      PointFormat::automatic;             ///< by extension; a further ".gz" or gzip magic bytes are looked through
+  std::vector<std::string> columns = {};  ///< names or 1-based numbers or "last"; empty: all numeric but the weight
+  std::string weights = {};               ///< column of weights, or empty
+  std::string radii = {};                 ///< column of radii: the weight is the double nearest to radius^2
+  int dimension = 0;                      ///< demanded number of coordinates, 0 for any
+  bool attributes = false;                ///< keep the remaining columns
 };
 
-/// Reads the points of `path`; "-" is standard input.
+/// Reads the points of `path`; "-" is standard input, text unless the options say otherwise.
+///
+/// Text is delimited by tabs, semicolons, commas or blanks, as its first row shows; '#' begins a comment line. A first
+/// row without any number is a header. Columns whose first entry is a number are numeric and must be so throughout. In
+/// .node, .xyz and .obj files columns are counted as they stand in the file: index, element and keyword are the first.
+/// An empty file has no points, of the demanded dimension or 2; after a header alone every column but the weight is a
+/// coordinate, as long as there are at most 8.
 /// @throws InputError with one line naming file, row and column, and what was expected
 PointTable read_points(const std::string& path, const ReadOptions& options = {});
 
