@@ -126,6 +126,25 @@ TEST(Archive, the_format_is_as_documented) {
   EXPECT_EQ(w.size(), 9U + 6 + 2 + 1 + 6 + 1);
 }
 
+TEST(Archive, ids_of_eight_bytes_are_read_too) {
+  const AnyTriangulation t = built(lattice(2, 9, 3, 1));
+  const auto narrow = words(saved(t));
+  const std::size_t n = t.row_count();
+  const std::size_t numbers = 10 + 2 * n;  // header and coordinates
+  std::vector<std::uint64_t> wide(narrow.begin(), narrow.begin() + static_cast<std::ptrdiff_t>(numbers));
+  wide[1] = 8;
+  std::size_t place = numbers;
+  for (const std::size_t ids : {n, 2 * t.mesh().duplicates.size(), 6 * t.complex().live_count()}) {
+    for (std::size_t i = 0; i < ids; ++i) {
+      const std::uint64_t id = narrow[place + i / 2] >> i % 2 * 32 & 0xFFFFFFFF;
+      wide.push_back(id == 0xFFFFFFFF ? ~std::uint64_t{0} : id);
+    }
+    place += (ids + 1) / 2;
+  }
+  wide.push_back(0);
+  EXPECT_EQ(description(loaded(sealed(wide))), description(t));
+}
+
 TEST(Archive, every_way_to_cut_it_off_is_refused) {
   const std::string bytes = saved(built(lattice(2, 9, 3, 1)));
   for (std::size_t length = 0; length < bytes.size(); ++length) {

@@ -73,10 +73,10 @@ TEST(Inserter, a_heavy_point_hides_the_vertices_around_it) {
     AnyTriangulation t = built(points);
     EXPECT_EQ(t.hidden_count(), 0U);
     const std::vector<double> centre(static_cast<std::size_t>(dimension), 0.5);
-    insert(t, centre, 0x1p20);
+    insert(t, centre, 0x1p30);
     EXPECT_EQ(t.hidden_count(), 30U);
     points.coordinates.insert(points.coordinates.end(), centre.begin(), centre.end());
-    points.weights.push_back(0x1p20);
+    points.weights.push_back(0x1p30);
     EXPECT_EQ(description(t), description(built(points)));
     EXPECT_EQ(fails_check(t, points), "");
   }
