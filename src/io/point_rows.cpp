@@ -82,10 +82,10 @@ class TextPoints {
 
 void require_no_hidden_numbers(const TextPoints& points, const Rows& first_row, std::size_t row_count) {
   for (const Suspect& suspect : points.suspects()) {
-    if (suspect.numbers * 2 <= row_count) continue;
+    if (suspect.numbers == 0 || suspect.numbers * 2 < row_count) continue;
     const std::string_view found = first_row[suspect.column];
     first_row.refuse(suspect.column, explain(found.empty() ? NumberFault::empty : NumberFault::text, found) +
-                                         ", but most entries of this column are numbers");
+                                         ": other entries of this column are numbers; choose columns to leave it out");
   }
 }
 
