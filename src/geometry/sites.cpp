@@ -4,7 +4,18 @@
 #include <cmath>
 #include <utility>
 
+#include "exact/integer.hpp"
+
 namespace delone {
+namespace {
+
+/// The largest e such that x is an integer times 2^e; of zero, more than any other has.
+int trailing_exponent(double x) {
+  const exact::Scaled scaled = exact::decompose(x);
+  return scaled.mantissa == 0 ? 2048 : scaled.exponent;
+}
+
+}  // namespace
 
 Sites::Sites(int dimension, bool weighted, Flat flat)
     : dimension_(dimension), weighted_(weighted), flat_(flat), leading_count_(std::max(flat.dimension, 0)) {
@@ -42,9 +53,13 @@ VertexId Sites::append(std::span<const double> point, double weight, Index row) 
   for (std::size_t place = 0; place < point.size(); ++place) {
     const double x = point[static_cast<std::size_t>(axis_at_place_[place])];
     magnitude_ = std::max(magnitude_, std::abs(x));
+    unit_ = std::min(unit_, trailing_exponent(x));
     *(place < k ? leading++ : others++) = x;
   }
-  if (weighted_) weights_.push_back(weight);
+  if (weighted_) {
+    weights_.push_back(weight);
+    unit_ = std::min(unit_, trailing_exponent(weight) >> 1);  // rounded down
+  }
   row_of_.push_back(row);
   if (row >= vertex_of_.size()) grow_rows(row + std::size_t{1});
   vertex_of_[row] = raw(v);

@@ -137,7 +137,8 @@ template <int K>
 bool on_common_orthosphere(const Kernel<K>& kernel, const Complex& complex, CellId c, VertexId apex) {
   typename Kernel<K>::Cell cell;
   for (int i = 0; i <= K; ++i) cell[static_cast<std::size_t>(i)] = complex.vertex(c, i);
-  return kernel.filtered_conflict(cell, apex) == Kernel<K>::kUnsure && kernel.slow_conflict_sign(cell, apex).sign == 0;
+  const int sign = kernel.filtered_conflict(cell, apex);
+  return sign == 0 || (sign == Kernel<K>::kUnsure && kernel.slow_conflict_sign(cell, apex).sign == 0);
 }
 
 template <int K>

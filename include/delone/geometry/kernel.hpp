@@ -13,10 +13,12 @@
 // W to the S of one lift.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "delone/exact/determinant.hpp"
 #include "delone/geometry/exact_predicates.hpp"
@@ -49,7 +51,28 @@ inline constexpr double kSmallestSquare = 0x1p-180;
 
 inline int sign_beyond(double value, double bound) { return value > bound ? 1 : (value < -bound ? -1 : kUnsure); }
 
+/// On coordinates that are integers times 2^unit all terms of a determinant of `degree` factors are integers times
+/// 2^(unit degree): while their sum stays below 2^53 of these, doubles hold every one, and a zero is a zero. So
+/// lattices never leave the filter.
+inline double exact_below(int unit, int degree) {
+  const int exponent = unit * degree + 53;
+  return exponent > -900 && exponent < 900 ? std::ldexp(1.0, exponent) : 0.0;
+}
+
+inline int exact_sign(double value) { return value > 0.0 ? 1 : (value < 0.0 ? -1 : 0); }
+
 }  // namespace filter
+
+/// The lifted hyperplane of a positive cell, seen from its first vertex v0: a point q at d = q - v0 of height l above
+/// v0 is in conflict when normal . d + height * l < 0. Kept per cell above dimension 3, where it turns a test from a
+/// determinant into a dot product (advice of [For92] 4.8).
+template <int K>
+struct Hyperplane {
+  std::array<double, K> normal;
+  double height;
+  double tilt_error;    ///< times the sum of |d_j|, plus
+  double height_error;  ///< times the size of l: bounds the rounding error of the sum
+};
 
 template <int K>
 class Kernel {
@@ -64,7 +87,9 @@ class Kernel {
         weights_(sites.weights()),
         other_count_(sites.dimension() - K),
         plain_(other_count_ == 0 && weights_ == nullptr),
-        tame_(sites.magnitude() < filter::kLargest) {}
+        tame_(sites.magnitude() < filter::kLargest),
+        orient_exact_below_(filter::exact_below(sites.unit(), K)),
+        conflict_exact_below_(filter::exact_below(sites.unit(), K + 2)) {}
 
   const double* at(VertexId v) const { return x_ + raw(v) * kCoordinates; }
   const PredicateStats& stats() const { return stats_; }
@@ -83,12 +108,23 @@ class Kernel {
   /// Whether the lifted q lies below the hyperplane of a finite, positively oriented cell; ties are broken.
   [[gnu::always_inline]] bool conflict(const Cell& cell, VertexId q) {
     const int sign = filtered_conflict(cell, q);
+    if (sign == 1 || sign == -1) [[likely]] {
+      ++stats_.conflict_filter;
+      return sign > 0;
+    }
+    return sign == 0 ? tie(cell, q) : slow_perturbed_conflict(cell, q);
+  }
+
+  /// The same from the cell's hyperplane.
+  [[gnu::always_inline]] bool conflict(const Hyperplane<K>& plane, const Cell& cell, VertexId q) {
+    const int sign = filtered_conflict(plane, cell[0], q);
     if (sign != kUnsure) [[likely]] {
       ++stats_.conflict_filter;
       return sign > 0;
     }
     return slow_perturbed_conflict(cell, q);
   }
+  Hyperplane<K> hyperplane(const Cell& cell) const;
 
   /// Lexicographic order of two sites; equal only at the same place.
   bool before(VertexId a, VertexId b) const {
@@ -103,11 +139,20 @@ class Kernel {
   static constexpr int kUnsure = filter::kUnsure;
   int filtered_orient(const Cell& v) const;
   int filtered_conflict(const Cell& cell, VertexId q) const;
+  int filtered_conflict(const Hyperplane<K>& plane, VertexId origin, VertexId q) const;
   [[gnu::noinline]] int exact_orient(const Cell& v) const;
   SlowSign slow_conflict_sign(const Cell& cell, VertexId q) const;
 
  private:
   [[gnu::noinline]] bool slow_perturbed_conflict(const Cell& cell, VertexId q);
+  /// q lies exactly on the cell's lifted hyperplane.
+  [[gnu::noinline]] bool tie(const Cell& cell, VertexId q);
+
+  struct Lift {
+    double value, size;
+  };
+  /// What other coordinates and weights add to the height of v above q, and the sum of its parts' sizes.
+  Lift extra_lift(VertexId v, VertexId q) const;
 
   const double* x_;
   const double* others_;
@@ -115,6 +160,8 @@ class Kernel {
   int other_count_;
   bool plain_;  // heights are |x|^2 of the leading coordinates and nothing else
   bool tame_;   // no coordinate is so large that partial products could overflow, or drown others that underflow
+  double orient_exact_below_;  // determinants whose permanent lies below are computed without any rounding
+  double conflict_exact_below_;
   PredicateStats stats_;
 };
 
@@ -122,17 +169,19 @@ namespace filter {
 
 /// orient from the differences to v0, by Laplace expansion of the determinant and of its permanent.
 template <int K>
-[[gnu::always_inline]] inline int orient_of_differences(const Matrix<K, double>& m) {
+[[gnu::always_inline]] inline int orient_of_differences(const Matrix<K, double>& m, double exact_below) {
   if constexpr (K == 2) {
     const double left = m[0][0] * m[1][1];
     const double right = m[0][1] * m[1][0];
     const double size = std::abs(left) + std::abs(right);
+    if (size < exact_below) return exact_sign(left - right);
     if (!(size > 0x1p-900)) return kUnsure;
     return sign_beyond(left - right, 3.01 * kU * size);
   } else {
     // A product of K entries and the sums around it round at most 2K + K(K+1)/2 times, the differences once per factor.
     const double value = determinant<K>(m);
     const double size = absolute_permanent<K>(m);
+    if (size < exact_below) return exact_sign(value);
     if (!(size > 0x1p-400 && size < 0x1p400)) return kUnsure;
     return sign_beyond(value, (K == 3 ? 7.1 : 2.1 * K + K * (K + 1) / 2) * kU * size);
   }
@@ -157,7 +206,7 @@ template <int K>
       const double* p = at(v[i + 1]);
       for (std::size_t j = 0; j < kCoordinates; ++j) m[i][j] = p[j] - origin[j];
     }
-    return filter::orient_of_differences<K>(m);
+    return filter::orient_of_differences<K>(m, orient_exact_below_);
   }
 }
 
@@ -183,20 +232,9 @@ template <int K>
   double height = square;  // S + W
   if (!plain_) [[unlikely]] {
     for (std::size_t i = 0; i <= kCoordinates; ++i) {
-      double extra = 0.0;
-      double size = lift[i];
-      for (std::size_t j = 0; j < static_cast<std::size_t>(other_count_); ++j) {
-        const auto count = static_cast<std::size_t>(other_count_);
-        const double e = others_[raw(cell[i]) * count + j] - others_[raw(q) * count + j];
-        extra += e * e;
-      }
-      size += extra;
-      if (weights_ != nullptr) {
-        const double w = weights_[raw(cell[i])] - weights_[raw(q)];
-        extra -= w;
-        size += std::abs(w);
-      }
-      lift[i] += extra;
+      const Lift extra = extra_lift(cell[i], q);
+      const double size = lift[i] + extra.size;
+      lift[i] += extra.value;
       height = size > height ? size : height;
     }
   }
@@ -209,7 +247,10 @@ template <int K>
     const double value = lift[0] * (d[1][0] * d[2][1] - d[2][0] * d[1][1]) +
                          lift[1] * (d[2][0] * d[0][1] - d[0][0] * d[2][1]) +
                          lift[2] * (d[0][0] * d[1][1] - d[1][0] * d[0][1]);
-    return filter::sign_beyond(value, 3 * 12.1 * kU * square * height);
+    const double permanent = 3.0 * square * height;
+    if (permanent < conflict_exact_below_) [[unlikely]]
+      return filter::exact_sign(value);
+    return filter::sign_beyond(value, 12.1 * kU * permanent);
   } else if constexpr (K == 3) {
     const double ab = d[0][0] * d[1][1] - d[1][0] * d[0][1];
     const double bc = d[1][0] * d[2][1] - d[2][0] * d[1][1];
@@ -227,6 +268,7 @@ template <int K>
     if (value * value > (c * c * (1 + 0x1p-40)) * (square * square * square) * (height * height)) {
       return value < 0 ? 1 : -1;
     }
+    if (4.0 * 1.2 * height * square * std::sqrt(square) < conflict_exact_below_) return -filter::exact_sign(value);
     return kUnsure;
   } else {
     Matrix<K + 1, double> m;
@@ -246,6 +288,95 @@ template <int K>
     const int sign = filter::sign_beyond(determinant<K + 1>(m), 1.01 * roundings * kU * size);
     return sign == kUnsure || K % 2 == 0 ? sign : -sign;
   }
+}
+
+template <int K>
+typename Kernel<K>::Lift Kernel<K>::extra_lift(VertexId v, VertexId q) const {
+  Lift lift{0.0, 0.0};
+  const auto count = static_cast<std::size_t>(other_count_);
+  for (std::size_t j = 0; j < count; ++j) {
+    const double e = others_[raw(v) * count + j] - others_[raw(q) * count + j];
+    lift.value += e * e;
+  }
+  lift.size = lift.value;
+  if (weights_ != nullptr) {
+    const double w = weights_[raw(v)] - weights_[raw(q)];
+    lift.value -= w;
+    lift.size += std::abs(w);
+  }
+  return lift;
+}
+
+// Errors, all relative to K! times the product of the columns' maxima, column j left out for the minor j: an entry of
+// the K rows carries one rounding, a lift at most K + 8 + 4; a minor of k rows adds k of them to those of k - 1 rows.
+// The sum of K + 1 products adds K + 2, the differences and the lift of q again as many as those of a row.
+template <int K>
+Hyperplane<K> Kernel<K>::hyperplane(const Cell& cell) const {
+  constexpr int kLiftRoundings = K + kMaxDimension + 4;
+  constexpr double kBound = 1.01 * filter::kU * (K * (K + 1) / 2 + K + kLiftRoundings + K + 3 + kLiftRoundings);
+  const double* origin = at(cell[0]);
+  std::array<std::array<double, K + 1>, K> rows;
+  std::array<double, K + 1> maxima{};
+  for (std::size_t i = 0; i < kCoordinates; ++i) {
+    const double* p = at(cell[i + 1]);
+    double lift = 0.0;
+    for (std::size_t j = 0; j < kCoordinates; ++j) {
+      const double d = p[j] - origin[j];
+      rows[i][j] = d;
+      lift += d * d;
+      maxima[j] = std::max(maxima[j], std::abs(d));
+    }
+    double size = lift;
+    if (!plain_) [[unlikely]] {
+      const Lift extra = extra_lift(cell[i + 1], cell[0]);
+      lift += extra.value;
+      size += extra.size;
+    }
+    rows[i][K] = lift;
+    maxima[K] = std::max(maxima[K], size);
+  }
+  const auto minors = minors_without_column<K>(rows);
+  Hyperplane<K> plane;
+  for (std::size_t j = 0; j < kCoordinates; ++j) plane.normal[j] = (kCoordinates - j) % 2 == 0 ? minors[j] : -minors[j];
+  plane.height = minors[K];
+  double flattest = maxima[0];
+  double product = kBound;
+  bool safe = tame_;
+  for (std::size_t j = 0; j < kCoordinates; ++j) {
+    flattest = std::min(flattest, maxima[j]);
+    product *= maxima[j] * static_cast<double>(j + 1);
+    safe = safe && maxima[j] > 0x1p-60 && maxima[j] < 0x1p60;
+  }
+  safe = safe && maxima[K] < 0x1p121;
+  plane.height_error = safe ? product : std::numeric_limits<double>::infinity();
+  plane.tilt_error = safe ? product / flattest * maxima[K] : 0.0;
+  return plane;
+}
+
+template <int K>
+[[gnu::always_inline]] inline int Kernel<K>::filtered_conflict(const Hyperplane<K>& plane, VertexId origin,
+                                                               VertexId q) const {
+  const double* a = at(origin);
+  const double* b = at(q);
+  double value = 0.0;
+  double length = 0.0;
+  double lift = 0.0;
+  for (std::size_t j = 0; j < kCoordinates; ++j) {
+    const double d = b[j] - a[j];
+    value += plane.normal[j] * d;
+    length += std::abs(d);
+    lift += d * d;
+  }
+  double size = lift;
+  if (!plain_) [[unlikely]] {
+    const Lift extra = extra_lift(q, origin);
+    lift += extra.value;
+    size += extra.size;
+  }
+  if (!(size > filter::kSmallestSquare && size < 0x1p190)) return kUnsure;
+  value += plane.height * lift;
+  const double bound = plane.tilt_error * length + plane.height_error * size;
+  return value < -bound ? 1 : (value > bound ? -1 : kUnsure);
 }
 
 template <int K>
@@ -276,6 +407,11 @@ bool Kernel<K>::slow_perturbed_conflict(const Cell& cell, VertexId q) {
     ++(slow.stage == Stage::adaptive ? stats_.conflict_adaptive : stats_.conflict_exact);
     return slow.sign > 0;
   }
+  return tie(cell, q);
+}
+
+template <int K>
+bool Kernel<K>::tie(const Cell& cell, VertexId q) {
   ++stats_.conflict_symbolic;
   return perturbed_conflict<K>(
       cell, q, [this](VertexId a, VertexId b) { return before(a, b); }, [this](const Cell& v) { return orient(v); });

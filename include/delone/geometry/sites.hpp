@@ -27,6 +27,8 @@ struct Flat {
 };
 
 class Sites {
+  static constexpr int kCoarsest = 1024;
+
  public:
   explicit Sites(int dimension, bool weighted = false, Flat flat = {});
 
@@ -41,6 +43,8 @@ class Sites {
   const double* weights() const { return weighted_ ? weights_.data() : nullptr; }
   /// The largest absolute coordinate so far.
   double magnitude() const { return magnitude_; }
+  /// Every coordinate so far is an integer times 2^unit, every weight times 2^(2 unit).
+  int unit() const { return unit_; }
   double weight(VertexId v) const { return weighted_ ? weights_[raw(v)] : 0.0; }
   /// Coordinate of `v` on one of the D axes of the input.
   double coordinate(VertexId v, int axis) const {
@@ -82,6 +86,7 @@ class Sites {
   std::array<int, kMaxDimension> axis_at_place_{};  // leading axes first, then the others, both ascending
   std::array<int, kMaxDimension> place_of_axis_{};
   double magnitude_ = 0.0;
+  int unit_ = kCoarsest;
   Buffer<double> leading_, others_, weights_;
   Buffer<Index> row_of_, vertex_of_;
 };

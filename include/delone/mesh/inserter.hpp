@@ -40,6 +40,7 @@ class Inserter {
   /// Inserts site q, which is in no cell yet, starting the walk from the live cell `start`.
   /// On std::bad_alloc the mesh is as it was. Cost: the walk, then O(K * cells changed).
   Outcome insert(VertexId q, CellId start) {
+    scratch_->reserve_cells(K, complex_.slot_count());
     WalkStats walked;
     const CellId c = walk(complex_, kernel_, q, start, walked);
     mesh_->statistics.walk_steps += walked.steps;
@@ -48,7 +49,7 @@ class Inserter {
     if (const VertexId v = vertex_at_place_of(q, c); v != kGhost) {
       mesh_->reserve_duplicate();
       if (const auto outcome = meet_at_same_place(*mesh_, q, v)) return *outcome;
-    } else if (mesh_->sites.weighted() && !in_conflict(complex_, kernel_, c, q)) {
+    } else if (mesh_->sites.weighted() && !in_conflict(complex_, kernel_, *scratch_, c, q)) {
       return Outcome::hidden;  // without weights a point inside a cell is inside its circumscribing ball
     }
     replace_cavity(q, c);
@@ -70,7 +71,6 @@ class Inserter {
 
   void replace_cavity(VertexId q, CellId start) {
     try {
-      scratch_->reserve_marks(complex_.slot_count());
       find_cavity(complex_, kernel_, q, start, *scratch_);
       mesh_->complex.reserve_more(scratch_->boundary.size(), mesh_->sites.size());
       scratch_->prepare_star(K, complex_.slot_count(), mesh_->sites.size());

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "delone/base/buffer.hpp"
 #include "delone/base/ids.hpp"
@@ -37,21 +38,27 @@ struct Scratch {
   Buffer<BoundaryFacet> boundary;  ///< where the cavity meets them
   Buffer<CellId> created;          ///< the star, in the order of `boundary`
   EdgeTable edges;
+  Buffer<double> planes;  ///< above 3D, per cell slot a Hyperplane; not yet known where it starts with NaN
 
-  /// Marks for cells below `slots`.
-  void reserve_marks(std::size_t slots) {
+  /// Doubles that the hyperplane of a cell of dimension k takes; none are kept where a test from coordinates is as
+  /// fast.
+  static constexpr std::size_t plane_size(int k) { return k <= 3 ? 0 : static_cast<std::size_t>(k) + 3; }
+  /// Marks and hyperplanes for cells below `slots`.
+  void reserve_cells(int k, std::size_t slots) {
     if (slots <= marks.size()) return;
     marks.reserve_more(slots - marks.size());
+    planes.reserve(marks.capacity() * plane_size(k));
+    planes.resize(marks.capacity() * plane_size(k), std::numeric_limits<double>::quiet_NaN());
     marks.resize(marks.capacity(), Mark::unknown);
   }
   /// Room for a star beside the cavity just found.
   void prepare_star(int dimension, std::size_t slots, std::size_t vertices) {
     created.resize(boundary.size());
     if (dimension == 3 && edges.number.size() <= vertices) edges.number.resize(vertices + vertices / 2 + 1, 0);
-    reserve_marks(slots + boundary.size());
+    reserve_cells(dimension, slots + boundary.size());
   }
   std::size_t memory_bytes() const {
-    return marks.capacity() + edges.number.capacity() * sizeof(std::uint16_t) +
+    return marks.capacity() + edges.number.capacity() * sizeof(std::uint16_t) + planes.capacity() * sizeof(double) +
            (removed.capacity() + spared.capacity() + created.capacity()) * sizeof(CellId) +
            boundary.capacity() * sizeof(BoundaryFacet);
   }

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "delone/mesh/scratch.hpp"
@@ -115,7 +116,7 @@ inline bool link_by_edge_table(ComplexView<3> complex, VertexId q, Scratch& scra
 /// Replaces the cavity in `scratch` by the star of q.
 template <int K>
 void fill_cavity(ComplexView<K> complex, VertexId q, Scratch& scratch) {
-  auto& [marks, removed, spared, boundary, created, edges] = scratch;
+  auto& [marks, removed, spared, boundary, created, edges, planes] = scratch;
   for (std::size_t b = 0; b < boundary.size(); ++b) {
     const auto [inside, apex, outside] = boundary[b];
     const CellId fresh = complex.create();
@@ -124,6 +125,7 @@ void fill_cavity(ComplexView<K> complex, VertexId q, Scratch& scratch) {
     vertices[static_cast<std::size_t>(apex)] = q;
     complex.set_vertices(fresh, vertices);
     complex.count_ghost(fresh);
+    if constexpr (K > 3) planes[raw(fresh) * Scratch::plane_size(K)] = std::numeric_limits<double>::quiet_NaN();
     complex.link(complex.facet(fresh, apex), outside);
     complex.set_twin(inside, apex, complex.facet(fresh, apex));  // from the old boundary to the star, for turning
   }
