@@ -2,7 +2,8 @@
 //
 //   std::vector<std::array<double, 2>> points = ...;
 //   auto t = delone::triangulate(points);
-//   for (std::size_t c = 0; auto table = delone::cells(t); c < table.size(); ++c) use(table[c]);
+//   const auto table = delone::cells(t);
+//   for (std::size_t c = 0; c < table.size(); ++c) use(table[c]);  // three rows of `points`
 #pragma once
 
 #include <array>

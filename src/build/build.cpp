@@ -46,7 +46,7 @@ AnyTriangulation build(PointsView points, const BuildOptions& options) {
   Mesh mesh(Sites(points.dimension(), points.weighted(), hull.flat));
   const std::span axes = std::span(hull.flat.axes).first(static_cast<std::size_t>(std::max(hull.flat.dimension, 0)));
   const std::span basis = std::span(hull.basis).first(points.empty() ? 0 : axes.size() + 1);
-  std::vector<Index> order = brio_order(points, axes);
+  std::vector<Index> order = brio_order(points, axes, options.threads);
   bring_to_front(order, basis);
   mesh.sites.append(points, order, 0);
   mesh.statistics.order_seconds = watch.lap();

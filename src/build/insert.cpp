@@ -131,7 +131,7 @@ void insert(AnyTriangulation& t, PointsView batch, const BuildOptions& options) 
   Mesh mesh = t.mesh();
   const std::size_t first = mesh.sites.size();
   const auto axes = std::span(mesh.sites.flat().axes).first(size(std::max(t.affine_dimension(), 0)));
-  mesh.sites.append(batch, brio_order(batch, axes), static_cast<Index>(first));
+  mesh.sites.append(batch, brio_order(batch, axes, options.threads), static_cast<Index>(first));
   insert_from(mesh, first, options.progress);
   AnyTriangulation grown(std::move(mesh));
   std::swap(t, grown);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <thread>
 #include <utility>
 
 #include "delone/base/buffer.hpp"
@@ -85,8 +86,22 @@ struct Cube {
   }
 };
 
+/// Calls work(begin, end) for parts of a range, each on a thread of its own when the range is long.
+template <class Work>
+void for_chunks(std::size_t begin, std::size_t end, int threads, Work work) {
+  constexpr std::size_t kLong = 1 << 16;
+  const std::size_t chunks =
+      std::clamp<std::size_t>((end - begin) / kLong, 1, static_cast<std::size_t>(std::max(threads, 1)));
+  std::vector<std::jthread> helpers;
+  helpers.reserve(chunks - 1);
+  for (std::size_t c = 1; c < chunks; ++c) {
+    helpers.emplace_back(work, begin + (end - begin) * c / chunks, begin + (end - begin) * (c + 1) / chunks);
+  }
+  work(begin, begin + (end - begin) / chunks);
+}
+
 template <int K>
-void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& rows, int rounds) {
+void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& rows, int rounds, int threads) {
   constexpr std::size_t kCrowd = 24;  // fewer points than this in one grid cell may stay as they are
   struct Job {
     std::size_t begin, end;
@@ -101,12 +116,14 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
     const int round_bits = static_cast<int>(std::bit_width(static_cast<unsigned>(job.rounds)));
     const int wanted = static_cast<int>(std::bit_width(job.end - job.begin)) + 6;
     const int bits = std::clamp(std::min(wanted + K - 1, rows.key_bits() - round_bits) / K, 1, 31);
-    for (std::size_t i = job.begin; i < job.end; ++i) {
-      const Index row = rows.row(i);
-      const int early = job.rounds == 0 ? 0 : std::min(job.rounds, std::countr_zero(mix(row)) / 3);
-      const std::uint64_t distance = cube.distance(points[row], axes, bits);
-      rows.set_key(i, static_cast<std::uint64_t>(job.rounds - early) << (bits * K) | distance);
-    }
+    for_chunks(job.begin, job.end, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Index row = rows.row(i);
+        const int early = job.rounds == 0 ? 0 : std::min(job.rounds, std::countr_zero(mix(row)) / 3);
+        const std::uint64_t distance = cube.distance(points[row], axes, bits);
+        rows.set_key(i, static_cast<std::uint64_t>(job.rounds - early) << (bits * K) | distance);
+      }
+    });
     rows.sort(job.begin, job.end, bits * K + round_bits);
     for (std::size_t begin = job.begin, end; begin < job.end; begin = end) {
       for (end = begin + 1; end < job.end && rows.key(end) == rows.key(begin);) ++end;
@@ -117,13 +134,13 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
 
 }  // namespace
 
-std::vector<Index> brio_order(PointsView points, std::span<const int> axes) {
+std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int threads) {
   KeyedRows rows(points.size());
   int rounds = 0;
   for (std::size_t n = points.size(); n > 4096; n /= 8) ++rounds;
   if (!axes.empty()) {
     with_dimension<1>(static_cast<int>(axes.size()),
-                      [&](auto dimension) { sort_along_curve<dimension>(points, axes, rows, rounds); });
+                      [&](auto dimension) { sort_along_curve<dimension>(points, axes, rows, rounds, threads); });
   }
   std::vector<Index> order(rows.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = rows.row(i);

@@ -8,7 +8,7 @@
 namespace delone {
 
 struct BuildOptions {
-  int threads = 1;         ///< worker threads for what can be shared out; the result never depends on it
+  int threads = 1;  ///< share out the keys of the curve; cells are still inserted by one. Never changes the result
   Progress progress = {};  ///< told of progress, may cancel
 };
 

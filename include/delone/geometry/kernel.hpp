@@ -59,6 +59,11 @@ inline double exact_below(int unit, int degree) {
   return exponent > -900 && exponent < 900 ? std::ldexp(1.0, exponent) : 0.0;
 }
 
+/// Roundings of the lifted determinant as written for K = 1, 2, 3. A lift that also sums other coordinates and a weight
+/// carries for each of the former a difference taken twice, a square and a sum, and for the latter two more: since all
+/// these share their place with the squares already counted, two for each and four in all cover them.
+constexpr double conflict_roundings(int k) { return k == 1 ? 16.0 : (k == 2 ? 10.1 : 16.1); }
+
 inline int exact_sign(double value) { return value > 0.0 ? 1 : (value < 0.0 ? -1 : 0); }
 
 }  // namespace filter
@@ -89,7 +94,8 @@ class Kernel {
         plain_(other_count_ == 0 && weights_ == nullptr),
         tame_(sites.magnitude() < filter::kLargest),
         orient_exact_below_(filter::exact_below(sites.unit(), K)),
-        conflict_exact_below_(filter::exact_below(sites.unit(), K + 2)) {}
+        conflict_exact_below_(filter::exact_below(sites.unit(), K + 2)),
+        conflict_bound_(filter::kU * (filter::conflict_roundings(K) + (plain_ ? 0 : 2 * other_count_ + 4))) {}
 
   const double* at(VertexId v) const { return x_ + raw(v) * kCoordinates; }
   const PredicateStats& stats() const { return stats_; }
@@ -162,6 +168,7 @@ class Kernel {
   bool tame_;   // no coordinate is so large that partial products could overflow, or drown others that underflow
   double orient_exact_below_;  // determinants whose permanent lies below are computed without any rounding
   double conflict_exact_below_;
+  double conflict_bound_;  // times the permanent: error of the lifted determinant
   PredicateStats stats_;
 };
 
@@ -212,7 +219,6 @@ template <int K>
 
 template <int K>
 [[gnu::always_inline]] inline int Kernel<K>::filtered_conflict(const Cell& cell, VertexId q) const {
-  using filter::kU;
   if (!tame_) [[unlikely]]
     return kUnsure;
   const double* origin = at(q);
@@ -242,7 +248,7 @@ template <int K>
 
   if constexpr (K == 1) {
     const double value = d[1][0] * lift[0] - d[0][0] * lift[1];
-    return filter::sign_beyond(value, 16.0 * kU * std::sqrt(square) * height);
+    return filter::sign_beyond(value, conflict_bound_ * std::sqrt(square) * height);
   } else if constexpr (K == 2) {
     const double value = lift[0] * (d[1][0] * d[2][1] - d[2][0] * d[1][1]) +
                          lift[1] * (d[2][0] * d[0][1] - d[0][0] * d[2][1]) +
@@ -250,7 +256,7 @@ template <int K>
     const double permanent = 3.0 * square * height;
     if (permanent < conflict_exact_below_) [[unlikely]]
       return filter::exact_sign(value);
-    return filter::sign_beyond(value, 12.1 * kU * permanent);
+    return filter::sign_beyond(value, conflict_bound_ * permanent);
   } else if constexpr (K == 3) {
     const double ab = d[0][0] * d[1][1] - d[1][0] * d[0][1];
     const double bc = d[1][0] * d[2][1] - d[2][0] * d[1][1];
@@ -264,7 +270,7 @@ template <int K>
     const double dab = d[3][2] * ab + d[0][2] * bd + d[1][2] * da;
     const double value = (lift[3] * abc - lift[2] * dab) + (lift[1] * cda - lift[0] * bcd);
     // |value| > c (S + W) S^(3/2), squared on both sides: no root.
-    constexpr double c = 4 * 1.155 * 18.1 * kU;
+    const double c = 4 * 1.155 * conflict_bound_;
     if (value * value > (c * c * (1 + 0x1p-40)) * (square * square * square) * (height * height)) {
       return value < 0 ? 1 : -1;
     }
@@ -285,7 +291,7 @@ template <int K>
     for (const double x : maxima) size *= x;
     if (!(size > 0x1p-900 && size < 0x1p900)) return kUnsure;
     constexpr int roundings = 2 * (K + 1) + (K + 1) * (K + 2) / 2 + K + kMaxDimension + 4;
-    const int sign = filter::sign_beyond(determinant<K + 1>(m), 1.01 * roundings * kU * size);
+    const int sign = filter::sign_beyond(determinant<K + 1>(m), 1.01 * roundings * filter::kU * size);
     return sign == kUnsure || K % 2 == 0 ? sign : -sign;
   }
 }

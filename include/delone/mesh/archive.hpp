@@ -25,7 +25,7 @@ void save(const AnyTriangulation& t, std::ostream& out);
 
 /// Reads what save() wrote, and not a byte more: the same vertices, cells, statuses and canonical hash, whatever the
 /// machine that wrote it. Bytes are not trusted: that the cells are the canonical triangulation of their vertices is
-/// decided exactly (I1 to I6), so whatever comes back is safe to use. Cost: O(cells), some tenth of building.
+/// decided exactly (I1 to I7), so whatever comes back is safe to use. Cost: O(cells), some tenth of building.
 /// @throws InputError when the bytes are cut off, damaged, of another version, or no triangulation; std::bad_alloc
 AnyTriangulation load(std::istream& in);
 

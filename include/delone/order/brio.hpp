@@ -13,7 +13,8 @@ namespace delone {
 
 /// A permutation of the rows of `points`.
 /// @param axes  the coordinate axes that span the points (at least one; at most kMaxDimension)
+/// @param threads  how many compute the keys; the order does not depend on it
 /// Cost: O(n), a radix sort; where points crowd into one cell of the grid the crowd is sorted again on a finer grid.
-std::vector<Index> brio_order(PointsView points, std::span<const int> axes);
+std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int threads = 1);
 
 }  // namespace delone

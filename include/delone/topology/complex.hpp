@@ -5,7 +5,7 @@
 // same facet seen from the neighbouring cell. In 2D it is the half-edge, in 3D the half-face; above, nothing changes.
 // A cell is 2 (K + 1) ids in a row, vertices before twins: 24 bytes a triangle, 32 bytes a tetrahedron.
 // The complex stores its own dimension; algorithms see it through ComplexView<K>, where the dimension is constant.
-// Invariants I1 to I6: INVARIANTS.md.
+// Invariants I1 to I4, I8 and I10: INVARIANTS.md.
 #pragma once
 
 #include <array>
