@@ -239,6 +239,7 @@ void expect_filter_agrees(int trials) {
   Random random(K);
   std::uint64_t certain = 0;
   std::uint64_t unsure = 0;
+  std::uint64_t kept_unsure = 0;
   for (int trial = 0; trial < trials; ++trial) {
     const int exponent = scale(random);
     const bool weighted = trial % 3 == 0;
@@ -255,14 +256,18 @@ void expect_filter_agrees(int trials) {
     if constexpr (K >= 1) {
       if (orient < 0) std::swap(cell[0], cell[1]);
     }
-    const int sign = kernel.filtered_conflict(cell, VertexId{K + 1});
+    const VertexId q{K + 1};
+    const int truth = kernel.slow_conflict_sign(cell, q).sign;
+    const int sign = kernel.filtered_conflict(cell, q);
     ++(sign == Kernel<K>::kUnsure ? unsure : certain);
-    if (sign != Kernel<K>::kUnsure) {
-      ASSERT_EQ(sign, kernel.slow_conflict_sign(cell, VertexId{K + 1}).sign);
-    }
+    ASSERT_TRUE(sign == Kernel<K>::kUnsure || sign == truth) << trial;
+    const int kept = kernel.filtered_conflict(kernel.hyperplane(cell), cell[0], q);
+    ASSERT_TRUE(kept == Kernel<K>::kUnsure || kept == truth) << trial;
+    kept_unsure += kept == Kernel<K>::kUnsure ? 1 : 0;
   }
   EXPECT_GT(certain, static_cast<std::uint64_t>(trials / 20));
   EXPECT_GT(unsure, static_cast<std::uint64_t>(trials / 20));
+  EXPECT_LT(kept_unsure, static_cast<std::uint64_t>(trials - trials / 20));  // it is of use
 }
 
 TEST(Filter, never_contradicts_integers_on_points_that_just_miss_a_lattice) {
