@@ -4,10 +4,10 @@
 #include <chrono>
 #include <utility>
 
-#include "build/incremental.hpp"
 #include "delone/base/arithmetic.hpp"
 #include "delone/geometry/affine.hpp"
 #include "delone/order/brio.hpp"
+#include "mesh/incremental.hpp"
 
 namespace delone {
 namespace {

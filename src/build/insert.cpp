@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "build/incremental.hpp"
 #include "delone/base/arithmetic.hpp"
 #include "delone/base/dispatch.hpp"
 #include "delone/geometry/affine.hpp"
 #include "delone/mesh/inserter.hpp"
 #include "delone/order/brio.hpp"
+#include "mesh/incremental.hpp"
 
 namespace delone {
 namespace {

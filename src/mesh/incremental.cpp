@@ -1,4 +1,4 @@
-#include "build/incremental.hpp"
+#include "mesh/incremental.hpp"
 
 #include "delone/base/dispatch.hpp"
 #include "delone/base/errors.hpp"
