@@ -179,17 +179,17 @@ std::vector<Race> races(const Options& o) {
     return Workload{std::move(title), std::move(kind), o.points(n), d, 0, o.quick ? 5 * weight : weight};
   };
   return {
-      {"2d", at("2D uniform 1e6", "uniform", 1000000, 2), {"CGAL", "CGAL-indexed"}, 1.0, 80, 7},
-      {"2d", at("2D uniform 1e5", "uniform", 100000, 2), {"CGAL", "CGAL-indexed"}, 0, 0, 7},
-      {"2d", at("2D weighted 1e6, many hidden", "uniform", 1000000, 2, 5e-6), {"CGAL"}, 0, 0, 5},
-      {"3d", at("3D uniform 1e6", "uniform", 1000000, 3), {"CGAL"}, 1.5, 300, 5},
-      {"3d", at("3D uniform 1e5", "uniform", 100000, 3), {"CGAL"}, 0, 0, 5},
-      {"3d", at("3D sphere 1e5", "sphere", 100000, 3), {"CGAL"}, 0, 0, 5},
-      {"3d", at("3D lattice 46 x 46 x 46", "lattice", 97336, 3), {"CGAL"}, 0, 0, 5},
-      {"weighted", at("3D weighted 1e6, few hidden", "uniform", 1000000, 3, 3e-5), {"CGAL"}, 1.5, 0, 5},
-      {"weighted", at("3D weighted 1e6, most hidden", "uniform", 1000000, 3, 1e-3), {"CGAL"}, 1.5, 0, 5},
-      {"dd", at("4D uniform 1e5", "uniform", 100000, 4), {"CGAL", "Qhull"}, 2.0, 0, 3},
-      {"dd", at("5D uniform 1e4", "uniform", 10000, 5), {"CGAL", "Qhull"}, 2.0, 0, 3},
+      {"2d", at("2D uniform 1e6", "uniform", 1000000, 2), {"CGAL", "CGAL-indexed"}, 1.0, 80, 3},
+      {"2d", at("2D uniform 1e5", "uniform", 100000, 2), {"CGAL", "CGAL-indexed"}, 0, 0, 3},
+      {"2d", at("2D weighted 1e6, many hidden", "uniform", 1000000, 2, 5e-6), {"CGAL"}, 0, 0, 3},
+      {"3d", at("3D uniform 1e6", "uniform", 1000000, 3), {"CGAL"}, 1.5, 300, 3},
+      {"3d", at("3D uniform 1e5", "uniform", 100000, 3), {"CGAL"}, 0, 0, 3},
+      {"3d", at("3D sphere 1e5", "sphere", 100000, 3), {"CGAL"}, 0, 0, 3},
+      {"3d", at("3D lattice 46 x 46 x 46", "lattice", 97336, 3), {"CGAL"}, 0, 0, 3},
+      {"weighted", at("3D weighted 1e6, few hidden", "uniform", 1000000, 3, 3e-5), {"CGAL"}, 1.5, 0, 3},
+      {"weighted", at("3D weighted 1e6, most hidden", "uniform", 1000000, 3, 1e-3), {"CGAL"}, 1.5, 0, 3},
+      {"dd", at("4D uniform 1e5", "uniform", 100000, 4), {"CGAL", "Qhull"}, 2.0, 0, 2},
+      {"dd", at("5D uniform 1e4", "uniform", 10000, 5), {"CGAL", "Qhull"}, 2.0, 0, 2},
   };
 }
 
