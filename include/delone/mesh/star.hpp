@@ -1,9 +1,11 @@
 // Fill a cavity with the star of a vertex, in any dimension: one new cell per facet of the cavity's boundary.
 // Source: [For92] 4.3. New cells are linked to each other without a table of facets: the two new cells at a ridge of
-// the boundary are found by turning about the ridge through the cells of the cavity, each ridge once. Departures,
-// measured (bench/RESULTS.md, phases): in 2D a ridge is a vertex, and in 3D an edge between two of the few vertices of
-// the boundary; both are looked up instead of turned about. Cost: O(K * cells removed and created); cannot fail, since
-// room has been made.
+// the boundary are found by turning about the ridge through the cells of the cavity, each ridge once.
+//
+// Departures, for speed: in 2D a ridge is a vertex, and in 3D an edge between two of the few vertices of the boundary;
+// both are looked up instead of turned about.
+//
+// Cost: O(K * cells removed and created); cannot fail, since room has been made.
 #pragma once
 
 #include <array>
