@@ -56,36 +56,40 @@ int sign_of_lifted(const Matrix<K + 1, Int>& m) {
   return K % 2 == 0 ? s : -s;
 }
 
-/// The middle stage for points that are no short integers. Error: every product of two double-doubles adds at most 7
-/// u^2, every sum 3 u^2 of the running magnitudes; a term of the determinant of n = K + 1 columns passes n products and
-/// at most n (n - 1) / 2 sums, its lift K + E products and K + E + 1 sums. All relative to the permanent, which is at
-/// most n! times the product of the columns' maxima. The factor 4 covers second-order terms and the rounding of the
-/// bound.
-template <int K>
+/// The middle stage for points that are no short integers; 0 when it cannot tell. Error, in units of u^2: a product of
+/// two double-doubles adds at most 7, a sum 6 of the running magnitudes; a term of the determinant of n = K + 1 columns
+/// passes n products and at most n (n - 1) / 2 sums, its lift K + E products and K + E + 1 sums. All relative to the
+/// permanent, which is at most n! times the product of the columns' maxima. The factor 4 covers second-order terms and
+/// the rounding of the bound.
+/// @tparam Plain  heights are the squares of the leading coordinates and nothing else
+template <int K, bool Plain>
 int double_double_conflict(const SiteRefs<K, K + 2>& s) {
   constexpr int n = K + 1;
+  const int other_count = Plain ? 0 : s.other_count;
   Matrix<n, DoubleDouble> m;
   std::array<double, size(n)> maxima{};
   const std::size_t q = size(K + 1);
   for (std::size_t i = 0; i < size(n); ++i) {
     DoubleDouble lift(0.0);
     double magnitude = 0.0;
-    for (std::size_t j = 0; j < size(K + s.other_count); ++j) {
-      const bool leading = j < size(K);
-      const double* a = leading ? s.leading[i] + j : s.others[i] + (j - size(K));
-      const double* b = leading ? s.leading[q] + j : s.others[q] + (j - size(K));
-      const DoubleDouble d = DoubleDouble::difference(*a, *b);
-      if (leading) {
-        m[i][j] = d;
-        maxima[j] = std::max(maxima[j], std::abs(d.high()));
-      }
+    const auto add_square = [&](DoubleDouble d) {
       lift = lift + d * d;
       magnitude += d.high() * d.high();
+    };
+    for (std::size_t j = 0; j < size(K); ++j) {
+      m[i][j] = DoubleDouble::difference(s.leading[i][j], s.leading[q][j]);
+      maxima[j] = std::max(maxima[j], std::abs(m[i][j].high()));
+      add_square(m[i][j]);
     }
-    if (s.weighted) {
-      const DoubleDouble w = DoubleDouble::difference(s.weights[i], s.weights[q]);
-      lift = lift - w;
-      magnitude += std::abs(w.high());
+    if constexpr (!Plain) {
+      for (std::size_t j = 0; j < size(other_count); ++j) {
+        add_square(DoubleDouble::difference(s.others[i][j], s.others[q][j]));
+      }
+      if (s.weighted) {
+        const DoubleDouble w = DoubleDouble::difference(s.weights[i], s.weights[q]);
+        lift = lift - w;
+        magnitude += std::abs(w.high());
+      }
     }
     m[i][size(K)] = lift;
     maxima[size(K)] = std::max(maxima[size(K)], magnitude);
@@ -96,10 +100,16 @@ int double_double_conflict(const SiteRefs<K, K + 2>& s) {
     if (!(maxima[j] > 0x1p-80 && maxima[j] < 0x1p80)) return 0;
     permanent *= maxima[j];
   }
-  const double bound = 4.0 * 0x1p-106 * (7 * n + 3 * n * (n - 1) / 2 + 10 * (K + s.other_count) + 3) * permanent;
+  const double bound = 4.0 * 0x1p-106 * (7 * n + 3 * n * (n - 1) + 13 * (K + other_count) + 6) * permanent;
   const double value = determinant<n>(m).high();
   const int sign = value > bound ? 1 : (value < -bound ? -1 : 0);
   return K % 2 == 0 ? sign : -sign;
+}
+
+template <int K>
+int double_double_conflict(const SiteRefs<K, K + 2>& s) {
+  const bool plain = s.other_count == 0 && !s.weighted;
+  return plain ? double_double_conflict<K, true>(s) : double_double_conflict<K, false>(s);
 }
 
 /// Lowers `unit` so that 2^(unit * share) divides x.
@@ -146,6 +156,9 @@ SlowSign slow_orient(const std::array<const double*, static_cast<std::size_t>(K 
 
 template <int K>
 SlowSign slow_conflict(const SiteRefs<K, K + 2>& s) {
+  if (!s.short_integers) {
+    if (const int sign = double_double_conflict<K>(s); sign != 0) return {sign, Stage::adaptive};
+  }
   const std::size_t columns = size(K + s.other_count);
   std::array<std::array<Scaled, kMaxDimension>, size(K + 2)> scaled;
   std::array<Scaled, size(K + 2)> weights;
@@ -179,7 +192,7 @@ SlowSign slow_conflict(const SiteRefs<K, K + 2>& s) {
     }
     const int lift_bits = std::max(2 * longest + 4, weight_bits + 1) + 1;  // at most 8 squares
     const int needed = K * longest + lift_bits + determinant_slack(K + 1);
-    if (needed >= 127) {
+    if (needed >= 127 && s.short_integers) {
       if (const int sign = double_double_conflict<K>(s); sign != 0) return {sign, Stage::adaptive};
     }
     const int sign = with_integer(needed, [&](auto zero) {
@@ -202,7 +215,9 @@ SlowSign slow_conflict(const SiteRefs<K, K + 2>& s) {
     return {sign, needed < 127 ? Stage::adaptive : Stage::exact};
   }
 
-  if (const int sign = double_double_conflict<K>(s); sign != 0) return {sign, Stage::adaptive};
+  if (s.short_integers) {
+    if (const int sign = double_double_conflict<K>(s); sign != 0) return {sign, Stage::adaptive};
+  }
   Matrix<K + 1, BigInt> m;
   for (std::size_t i = 0; i < size(K + 1); ++i) {
     BigInt lift = 0;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -277,6 +278,43 @@ TEST(Filter, never_contradicts_integers_on_points_that_just_miss_a_lattice) {
   expect_filter_agrees<4>(20000);
   expect_filter_agrees<5>(5000);
   expect_filter_agrees<6>(2000);
+}
+
+/// By exact numbers, of points that just miss the facets of a cell, or lie on them.
+template <int K>
+void expect_separating_facets(int trials) {
+  Random random(100 + K);
+  int beyond = 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    const Sites sites = sites_of<K>(near_lattice(random, (K + 2) * K, scale(random)));
+    Kernel<K> kernel(sites);
+    auto cell = first_cell<K>();
+    const int orient = kernel.exact_orient(cell);
+    if (orient == 0) continue;
+    if (orient < 0) std::swap(cell[0], cell[1]);
+    const VertexId q{K + 1};
+    std::array<int, K + 1> side;
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+      auto replaced = cell;
+      replaced[i] = q;
+      side[i] = kernel.exact_orient(replaced);
+    }
+    const bool inside = std::ranges::all_of(side, [](int s) { return s >= 0; });
+    const int slot = kernel.separating_slot(cell, q, -1);
+    ASSERT_EQ(slot < 0, inside) << trial;
+    if (inside) continue;
+    ++beyond;
+    ASSERT_LT(side[static_cast<std::size_t>(slot)], 0) << trial;
+  }
+  EXPECT_GT(beyond, trials / 10);
+  EXPECT_LT(beyond, trials - trials / 50);
+}
+
+TEST(Kernel, a_separating_facet_is_found_exactly_when_the_point_is_outside) {
+  expect_separating_facets<1>(5000);
+  expect_separating_facets<2>(50000);
+  expect_separating_facets<3>(50000);
+  expect_separating_facets<4>(5000);
 }
 
 TEST(Kernel, lexicographic_order_is_that_of_coordinates) {

@@ -1,7 +1,9 @@
 // Numbers of about 106 bits as the unevaluated sum of two doubles: the cheap and strong middle stage between plain
-// doubles and big integers. Source: [Shewchuk97] section 2 for the transformations; the error bounds of the "accurate"
-// sum and the product are those of [JMP17] (theorems 3.1 and 5.3): relative error below 3 u^2 + 13 u^3 and 5 u^2, u =
-// 2^-53, without over- or underflow.
+// doubles and big integers. Source: [Shewchuk97] section 2 for the transformations; the operations are the "sloppy" sum
+// and the product of [JMP17] (algorithms 5 and 11). With u = 2^-53 and without over- or underflow a product is off by
+// at most 5 u^2 of itself ([JMP17] theorem 5.3), and a sum of a and b by at most 6 u^2 (|a| + |b|): the sum of the low
+// parts rounds by u (u |a| + u |b|), adding it to the error of the sum of the high parts by 2 u^2 (|a| + |b|), and the
+// last step, when the high parts cancel, by as much again.
 #pragma once
 
 #include "delone/exact/eft.hpp"
@@ -17,19 +19,17 @@ class DoubleDouble {
 
   double high() const { return high_; }
 
-  friend DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
+  [[gnu::always_inline]] friend DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
     const TwoDoubles s = two_sum(a.high_, b.high_);
-    const TwoDoubles t = two_sum(a.low_, b.low_);
-    const TwoDoubles v = quick_two_sum(s.high, s.low + t.high);
-    return DoubleDouble(quick_two_sum(v.high, t.low + v.low));
+    return DoubleDouble(quick_two_sum(s.high, s.low + (a.low_ + b.low_)));
   }
-  friend DoubleDouble operator-(DoubleDouble a) {
+  [[gnu::always_inline]] friend DoubleDouble operator-(DoubleDouble a) {
     a.high_ = -a.high_;
     a.low_ = -a.low_;
     return a;
   }
-  friend DoubleDouble operator-(DoubleDouble a, DoubleDouble b) { return a + -b; }
-  friend DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
+  [[gnu::always_inline]] friend DoubleDouble operator-(DoubleDouble a, DoubleDouble b) { return a + -b; }
+  [[gnu::always_inline]] friend DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
     const TwoDoubles p = two_product(a.high_, b.high_);
     return DoubleDouble(quick_two_sum(p.high, p.low + (a.high_ * b.low_ + a.low_ * b.high_)));
   }

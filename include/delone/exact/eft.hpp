@@ -11,19 +11,19 @@ struct TwoDoubles {
   double high, low;  ///< high + low is the exact value, |low| at most half an ulp of high
 };
 
-inline TwoDoubles two_sum(double a, double b) {
+[[gnu::always_inline]] inline TwoDoubles two_sum(double a, double b) {
   const double s = a + b;
   const double bb = s - a;
   return {s, (a - (s - bb)) + (b - bb)};
 }
 
 /// Requires |a| >= |b| or a == 0.
-inline TwoDoubles quick_two_sum(double a, double b) {
+[[gnu::always_inline]] inline TwoDoubles quick_two_sum(double a, double b) {
   const double s = a + b;
   return {s, b - (s - a)};
 }
 
-inline TwoDoubles two_product(double a, double b) {
+[[gnu::always_inline]] inline TwoDoubles two_product(double a, double b) {
   const double p = a * b;
 #ifdef __FMA__
   return {p, std::fma(a, b, -p)};

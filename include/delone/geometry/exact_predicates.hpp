@@ -29,6 +29,7 @@ struct SiteRefs {
   std::array<double, static_cast<std::size_t>(Count)> weights;
   int other_count;
   bool weighted;
+  bool short_integers;  ///< a hint: integers over a common power of two are likely to be short enough for 128 bits
 };
 
 /// Sign of det(p1 - p0, ..., pK - p0) for K + 1 points of K coordinates each.

@@ -8,9 +8,10 @@
 // Error bounds, u = 2^-53. Differences to a common vertex carry one rounding each; [Shewchuk97] section 4 bounds the
 // error of the determinants as written below by (3 + 16u)u, (7 + 56u)u, (10 + 96u)u, (16 + 224u)u times the permanent,
 // for orient 2D and 3D, incircle and insphere. With S the largest squared length of the differences, every permanent of
-// three unit rows is at most 3!/3^(3/2) < 1.155 [CLL06] and of two at most 1, so the permanent of insphere is at most 4
-// * 1.155 S^(5/2), that of incircle 3 S^2: bounds that cost one comparison. A weight difference of size W adds at most
-// W to the S of one lift.
+// three unit rows is at most 3!/3^(3/2) < 1.155 [CLL06] and of two at most 1, so the permanent of insphere is at most
+// 4 * 1.155 S^(5/2), that of incircle 3 S^2: bounds that cost one comparison. A weight difference of size W adds at
+// most W to the S of one lift.
+// What underflows is off by less than 2^-1074 times its other factors, which a small number added to a bound covers.
 #pragma once
 
 #include <algorithm>
@@ -20,6 +21,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "delone/base/pair.hpp"
 #include "delone/exact/determinant.hpp"
 #include "delone/geometry/exact_predicates.hpp"
 #include "delone/geometry/perturb.hpp"
@@ -59,6 +61,17 @@ inline double exact_below(int unit, int degree) {
   return exponent > -900 && exponent < 900 ? std::ldexp(1.0, exponent) : 0.0;
 }
 
+/// The same for the `size` of an estimate: the permanent, or its square in 3D, where that needs no root.
+template <int K>
+double conflict_exact_below(int unit) {
+  if constexpr (K == 2) return exact_below(unit, 4);
+  if constexpr (K == 3) {
+    const double below = exact_below(unit, 5) / (4.0 * 1.2);
+    return below > 0x1p-400 && below < 0x1p400 ? below * below : 0.0;
+  }
+  return 0.0;  // not used
+}
+
 /// Roundings of the lifted determinant as written for K = 1, 2, 3. A lift that also sums other coordinates and a weight
 /// carries for each of the former a difference taken twice, a square and a sum, and for the latter two more: since all
 /// these share their place with the squares already counted, two for each and four in all cover them.
@@ -93,8 +106,9 @@ class Kernel {
         other_count_(sites.dimension() - K),
         plain_(other_count_ == 0 && weights_ == nullptr),
         tame_(sites.magnitude() < filter::kLargest),
+        short_integers_(sites.magnitude() < std::ldexp(1.0, sites.unit() + 120 / (K + 2))),
         orient_exact_below_(filter::exact_below(sites.unit(), K)),
-        conflict_exact_below_(filter::exact_below(sites.unit(), K + 2)),
+        conflict_exact_below_(filter::conflict_exact_below<K>(sites.unit())),
         conflict_bound_(filter::kU * (filter::conflict_roundings(K) + (plain_ ? 0 : 2 * other_count_ + 4))) {}
 
   const double* at(VertexId v) const { return x_ + raw(v) * kCoordinates; }
@@ -111,24 +125,16 @@ class Kernel {
     return exact_orient(v);
   }
 
+  /// A slot of the finite cell such that q lies strictly beyond the facet opposite to it, or -1 when q is in the closed
+  /// cell. It is known that q is not beyond the facet opposite slot `entered`, unless that is -1.
+  [[gnu::always_inline]] int separating_slot(const Cell& cell, VertexId q, int entered);
+
   /// Whether the lifted q lies below the hyperplane of a finite, positively oriented cell; ties are broken.
-  [[gnu::always_inline]] bool conflict(const Cell& cell, VertexId q) {
-    const int sign = filtered_conflict(cell, q);
-    if (sign == 1 || sign == -1) [[likely]] {
-      ++stats_.conflict_filter;
-      return sign > 0;
-    }
-    return sign == 0 ? tie(cell, q) : slow_perturbed_conflict(cell, q);
-  }
+  [[gnu::always_inline]] bool conflict(const Cell& cell, VertexId q) { return decide(estimate(cell, q), cell, q); }
 
   /// The same from the cell's hyperplane.
   [[gnu::always_inline]] bool conflict(const Hyperplane<K>& plane, const Cell& cell, VertexId q) {
-    const int sign = filtered_conflict(plane, cell[0], q);
-    if (sign != kUnsure) [[likely]] {
-      ++stats_.conflict_filter;
-      return sign > 0;
-    }
-    return slow_perturbed_conflict(cell, q);
+    return decide(estimate(plane, cell[0], q), cell, q);
   }
   Hyperplane<K> hyperplane(const Cell& cell) const;
 
@@ -141,18 +147,57 @@ class Kernel {
   }
   bool same_place(VertexId a, VertexId b) const { return !before(a, b) && !before(b, a); }
 
-  // The stages one by one, for tests.
+  // The stages one by one.
   static constexpr int kUnsure = filter::kUnsure;
   int filtered_orient(const Cell& v) const;
-  int filtered_conflict(const Cell& cell, VertexId q) const;
-  int filtered_conflict(const Hyperplane<K>& plane, VertexId origin, VertexId q) const;
+  int filtered_conflict(const Cell& cell, VertexId q) const { return sign(estimate(cell, q)); }
+  int filtered_conflict(const Hyperplane<K>& plane, VertexId origin, VertexId q) const {
+    return sign(estimate(plane, origin, q));
+  }
   [[gnu::noinline]] int exact_orient(const Cell& v) const;
   SlowSign slow_conflict_sign(const Cell& cell, VertexId q) const;
 
  private:
-  [[gnu::noinline]] bool slow_perturbed_conflict(const Cell& cell, VertexId q);
+  /// In 3D the differences of a cell's corners a, b, c, d to q: their determinants abc, bcd and cda, dab, and the
+  /// squared lengths of a, b and c, d.
+  struct FourRows {
+    Pair abc, cda, ab_squares, cd_squares;
+  };
+  FourRows seen_from(const Cell& cell, VertexId q) const requires(K == 3);
+
+  /// The orientations of the cell with one vertex after the other replaced by q, and what bounds their errors.
+  struct Sides {
+    std::array<double, K + 1> value;
+    double bound;
+  };
+  Sides sides(const Cell& cell, VertexId q) const requires(K == 2 || K == 3);
+
+  /// The lifted determinant, positive when q is in conflict, or what has its sign. Sure when its error is smaller; free
+  /// of any error when `size`, which bounds the determinant's permanent or its square, lies below
+  /// conflict_exact_below_.
+  struct Estimate {
+    double value, size;
+    bool sure;
+  };
+  Estimate estimate(const Cell& cell, VertexId q) const;
+  Estimate estimate(const Hyperplane<K>& plane, VertexId origin, VertexId q) const;
+  /// With a bound from the sizes of all terms: where a cell is long and thin, it is much smaller than one from lengths.
+  Estimate estimate_by_permanent(const Cell& cell, VertexId q) const;
+
+  int sign(const Estimate& e) const {
+    return e.sure || e.size < conflict_exact_below_ ? filter::exact_sign(e.value) : kUnsure;
+  }
+  /// No branch depends on the outcome, which nobody can predict.
+  [[gnu::always_inline]] bool decide(const Estimate& e, const Cell& cell, VertexId q) {
+    if (e.sure) [[likely]] {
+      ++stats_.conflict_filter;
+      return e.value > 0.0;
+    }
+    return decide_slowly(e, cell, q);
+  }
+  [[gnu::noinline]] bool decide_slowly(Estimate e, const Cell& cell, VertexId q);
   /// q lies exactly on the cell's lifted hyperplane.
-  [[gnu::noinline]] bool tie(const Cell& cell, VertexId q);
+  bool tie(const Cell& cell, VertexId q);
 
   struct Lift {
     double value, size;
@@ -166,6 +211,7 @@ class Kernel {
   int other_count_;
   bool plain_;  // heights are |x|^2 of the leading coordinates and nothing else
   bool tame_;   // no coordinate is so large that partial products could overflow, or drown others that underflow
+  bool short_integers_;        // coordinates are integers times a power of two, so short that 128 bits do
   double orient_exact_below_;  // determinants whose permanent lies below are computed without any rounding
   double conflict_exact_below_;
   double conflict_bound_;  // times the permanent: error of the lifted determinant
@@ -217,87 +263,163 @@ template <int K>
   }
 }
 
+// Two rows at a time: (a, b) and (c, d), each of which is a column's entries. Turning the four rows a, b, c, d by one
+// takes the minors ab, bc, cd, da of two columns, and abc, bcd, cda, dab of three, into one another.
 template <int K>
-[[gnu::always_inline]] inline int Kernel<K>::filtered_conflict(const Cell& cell, VertexId q) const {
-  if (!tame_) [[unlikely]]
-    return kUnsure;
+[[gnu::always_inline]] inline typename Kernel<K>::FourRows Kernel<K>::seen_from(const Cell& cell, VertexId q) const
+    requires(K == 3) {
   const double* origin = at(q);
-  std::array<std::array<double, kCoordinates>, K + 1> d;
-  std::array<double, K + 1> lift;
-  double square = 0.0;  // S
+  const Pair xy = load_pair(origin);
+  const Pair a = load_pair(at(cell[0])) - xy;
+  const Pair b = load_pair(at(cell[1])) - xy;
+  const Pair c = load_pair(at(cell[2])) - xy;
+  const Pair d = load_pair(at(cell[3])) - xy;
+  const Pair x0 = firsts(a, b);
+  const Pair x1 = firsts(c, d);
+  const Pair y0 = seconds(a, b);
+  const Pair y1 = seconds(c, d);
+  const Pair z0 = Pair{at(cell[0])[2], at(cell[1])[2]} - origin[2];
+  const Pair z1 = Pair{at(cell[2])[2], at(cell[3])[2]} - origin[2];
+  const Pair l0 = x0 * x0 + y0 * y0 + z0 * z0;
+  const Pair l1 = x1 * x1 + y1 * y1 + z1 * z1;
+  const Pair p0 = x0 * turned(y0, y1) - turned(x0, x1) * y0;           // ab, bc
+  const Pair p1 = x1 * turned(y1, y0) - turned(x1, x0) * y1;           // cd, da
+  const Pair r = x0 * y1 - x1 * y0;                                    // ac, bd
+  const Pair v0 = z0 * turned(p0, p1) - turned(z0, z1) * r + z1 * p0;  // abc, bcd
+  const Pair v1 = z1 * turned(p1, p0) + turned(z1, z0) * r + z0 * p1;  // cda, dab
+  return {v0, v1, l0, l1};
+}
+
+template <int K>
+[[gnu::always_inline]] inline typename Kernel<K>::Estimate Kernel<K>::estimate(const Cell& cell, VertexId q) const {
+  const double* origin = at(q);
+  if constexpr (K == 2) {
+    const Pair xy = load_pair(origin);
+    const Pair a = load_pair(at(cell[0])) - xy;
+    const Pair b = load_pair(at(cell[1])) - xy;
+    const Pair c = load_pair(at(cell[2])) - xy;
+    const Pair x = firsts(a, b);
+    const Pair y = seconds(a, b);
+    Pair lift = x * x + y * y;
+    double c_lift = c[0] * c[0] + c[1] * c[1];
+    const double square = std::max(std::max(lift[0], lift[1]), c_lift);  // S
+    double height = square;                                              // S + W
+    if (!plain_) [[unlikely]] {
+      const Lift la = extra_lift(cell[0], q);
+      const Lift lb = extra_lift(cell[1], q);
+      const Lift lc = extra_lift(cell[2], q);
+      height = std::max({lift[0] + la.size, lift[1] + lb.size, c_lift + lc.size});
+      lift += Pair{la.value, lb.value};
+      c_lift += lc.value;
+    }
+    const Pair with_c = x * c[1] - y * c[0];  // ac, bc
+    const double ab = a[0] * b[1] - b[0] * a[1];
+    const Pair terms = lift * turned(with_c, with_c);
+    const double value = terms[0] - terms[1] + c_lift * ab;
+    const double permanent = 3.0 * (square + 0x1p-900) * height;
+    return {value, permanent, tame_ && std::abs(value) > conflict_bound_ * permanent + 0x1p-1000};
+  } else if constexpr (K == 3) {
+    auto [abc, cda, l0, l1] = seen_from(cell, q);
+    const Pair larger_lifts = larger(l0, l1);
+    const double square = std::max(larger_lifts[0], larger_lifts[1]);
+    double height = square;
+    if (!plain_) [[unlikely]] {
+      const Lift la = extra_lift(cell[0], q);
+      const Lift lb = extra_lift(cell[1], q);
+      const Lift lc = extra_lift(cell[2], q);
+      const Lift ld = extra_lift(cell[3], q);
+      const Pair heights = larger(l0 + Pair{la.size, lb.size}, l1 + Pair{lc.size, ld.size});
+      height = std::max(heights[0], heights[1]);
+      l0 += Pair{la.value, lb.value};
+      l1 += Pair{lc.value, ld.value};
+    }
+    const Pair terms = turned(l1, l0) * abc + turned(l0, l1) * cda;
+    const double value = terms[1] - terms[0];
+    // |value| > c (S + W) S^(3/2), squared on both sides: no root.
+    const double size = (square * square * square) * (height * height);
+    const double c2 = (4 * 1.155 * conflict_bound_) * (4 * 1.155 * conflict_bound_) * (1 + 0x1p-40);
+    return {value, size, tame_ && value * value > c2 * size + 0x1p-895};
+  } else {
+    return estimate_by_permanent(cell, q);
+  }
+}
+
+// A term of the determinant multiplies K differences, of one rounding each, and a lift of at most K + 8 + 4, in K
+// products and at most (K + 1) K / 2 sums.
+template <int K>
+typename Kernel<K>::Estimate Kernel<K>::estimate_by_permanent(const Cell& cell, VertexId q) const {
+  constexpr double kBound = 1.01 * filter::kU * (K + (K + kMaxDimension + 4) + K + (K + 1) * K / 2);
+  const double* origin = at(q);
+  Matrix<K + 1, double> m;
+  Matrix<K + 1, double> sizes;
+  double height = 0.0;
   for (std::size_t i = 0; i <= kCoordinates; ++i) {
     const double* p = at(cell[i]);
-    double sum = 0.0;
+    double lift = 0.0;
     for (std::size_t j = 0; j < kCoordinates; ++j) {
-      d[i][j] = p[j] - origin[j];
-      sum += d[i][j] * d[i][j];
+      m[i][j] = p[j] - origin[j];
+      sizes[i][j] = m[i][j];
+      lift += m[i][j] * m[i][j];
     }
-    lift[i] = sum;
-    square = sum > square ? sum : square;
+    const Lift extra = plain_ ? Lift{0.0, 0.0} : extra_lift(cell[i], q);
+    m[i][K] = lift + extra.value;
+    sizes[i][K] = lift + extra.size;
+    height = std::max(height, sizes[i][K]);
   }
-  double height = square;  // S + W
-  if (!plain_) [[unlikely]] {
-    for (std::size_t i = 0; i <= kCoordinates; ++i) {
-      const Lift extra = extra_lift(cell[i], q);
-      const double size = lift[i] + extra.size;
-      lift[i] += extra.value;
-      height = size > height ? size : height;
-    }
-  }
-  if (!(square > filter::kSmallestSquare && height < 0x1p190)) return kUnsure;
+  const double value = K % 2 == 0 ? determinant<K + 1>(m) : -determinant<K + 1>(m);
+  const double permanent = absolute_permanent<K + 1>(sizes);
+  const bool safe = tame_ && height < 0x1p200 && permanent > 0x1p-400 && permanent < 0x1p900;
+  return {value, std::numeric_limits<double>::infinity(), safe && std::abs(value) > kBound * permanent};
+}
 
-  if constexpr (K == 1) {
-    const double value = d[1][0] * lift[0] - d[0][0] * lift[1];
-    return filter::sign_beyond(value, conflict_bound_ * std::sqrt(square) * height);
-  } else if constexpr (K == 2) {
-    const double value = lift[0] * (d[1][0] * d[2][1] - d[2][0] * d[1][1]) +
-                         lift[1] * (d[2][0] * d[0][1] - d[0][0] * d[2][1]) +
-                         lift[2] * (d[0][0] * d[1][1] - d[1][0] * d[0][1]);
-    const double permanent = 3.0 * square * height;
-    if (permanent < conflict_exact_below_) [[unlikely]]
-      return filter::exact_sign(value);
-    return filter::sign_beyond(value, conflict_bound_ * permanent);
-  } else if constexpr (K == 3) {
-    const double ab = d[0][0] * d[1][1] - d[1][0] * d[0][1];
-    const double bc = d[1][0] * d[2][1] - d[2][0] * d[1][1];
-    const double cd = d[2][0] * d[3][1] - d[3][0] * d[2][1];
-    const double da = d[3][0] * d[0][1] - d[0][0] * d[3][1];
-    const double ac = d[0][0] * d[2][1] - d[2][0] * d[0][1];
-    const double bd = d[1][0] * d[3][1] - d[3][0] * d[1][1];
-    const double abc = d[0][2] * bc - d[1][2] * ac + d[2][2] * ab;
-    const double bcd = d[1][2] * cd - d[2][2] * bd + d[3][2] * bc;
-    const double cda = d[2][2] * da + d[3][2] * ac + d[0][2] * cd;
-    const double dab = d[3][2] * ab + d[0][2] * bd + d[1][2] * da;
-    const double value = (lift[3] * abc - lift[2] * dab) + (lift[1] * cda - lift[0] * bcd);
-    // |value| > c (S + W) S^(3/2), squared on both sides: no root.
-    const double c = 4 * 1.155 * conflict_bound_;
-    if (value * value > (c * c * (1 + 0x1p-40)) * (square * square * square) * (height * height)) {
-      return value < 0 ? 1 : -1;
-    }
-    if (4.0 * 1.2 * height * square * std::sqrt(square) < conflict_exact_below_) return -filter::exact_sign(value);
-    return kUnsure;
+template <int K>
+[[gnu::always_inline]] inline typename Kernel<K>::Sides Kernel<K>::sides(const Cell& cell, VertexId q) const
+    requires(K == 2 || K == 3) {
+  const double none = tame_ ? 0x1p-1000 : std::numeric_limits<double>::infinity();
+  if constexpr (K == 2) {
+    const Pair origin = load_pair(at(q));
+    const Pair a = load_pair(at(cell[0])) - origin;
+    const Pair b = load_pair(at(cell[1])) - origin;
+    const Pair c = load_pair(at(cell[2])) - origin;
+    const Pair squares = larger(larger(a * a, b * b), c * c);
+    return {{b[0] * c[1] - b[1] * c[0], c[0] * a[1] - c[1] * a[0], a[0] * b[1] - a[1] * b[0]},
+            3.1 * filter::kU * (squares[0] + squares[1]) + none};
   } else {
-    Matrix<K + 1, double> m;
-    std::array<double, K> maxima{};
-    for (std::size_t i = 0; i <= kCoordinates; ++i) {
-      for (std::size_t j = 0; j < kCoordinates; ++j) {
-        m[i][j] = d[i][j];
-        maxima[j] = std::max(maxima[j], std::abs(d[i][j]));
-      }
-      m[i][K] = lift[i];
-    }
-    double size = height;
-    for (int j = 1; j <= K + 1; ++j) size *= j;
-    for (const double x : maxima) size *= x;
-    if (!(size > 0x1p-900 && size < 0x1p900)) return kUnsure;
-    constexpr int roundings = 2 * (K + 1) + (K + 1) * (K + 2) / 2 + K + kMaxDimension + 4;
-    const int sign = filter::sign_beyond(determinant<K + 1>(m), 1.01 * roundings * filter::kU * size);
-    return sign == kUnsure || K % 2 == 0 ? sign : -sign;
+    const auto [abc, cda, ab_squares, cd_squares] = seen_from(cell, q);
+    const Pair squares = larger(ab_squares, cd_squares);
+    const double square = std::max(squares[0], squares[1]);
+    return {{abc[1], -cda[0], cda[1], -abc[0]}, 8.3 * filter::kU * square * std::sqrt(square) + none};
   }
 }
 
 template <int K>
-typename Kernel<K>::Lift Kernel<K>::extra_lift(VertexId v, VertexId q) const {
+[[gnu::always_inline]] inline int Kernel<K>::separating_slot(const Cell& cell, VertexId q, int entered) {
+  std::array<bool, K + 1> open{};  // sides of unknown sign
+  if constexpr (K == 2 || K == 3) {
+    const auto [side, bound] = sides(cell, q);
+    std::size_t lowest = 0;
+    for (std::size_t i = 1; i <= kCoordinates; ++i) lowest = side[i] < side[lowest] ? i : lowest;
+    ++stats_.orient_filter;
+    if (side[lowest] < -bound) return static_cast<int>(lowest);
+    if (side[lowest] > bound) [[likely]]
+      return -1;
+    for (std::size_t i = 0; i <= kCoordinates; ++i) open[i] = !(side[i] > bound);
+  } else {
+    open.fill(true);
+  }
+  Cell replaced = cell;
+  for (std::size_t i = 0; i <= kCoordinates; ++i) {
+    const int slot = static_cast<int>(i);
+    if (slot == entered || !open[i]) continue;
+    replaced[i] = q;
+    if (orient(replaced) < 0) return slot;
+    replaced[i] = cell[i];
+  }
+  return -1;
+}
+
+template <int K>
+[[gnu::always_inline]] inline typename Kernel<K>::Lift Kernel<K>::extra_lift(VertexId v, VertexId q) const {
   Lift lift{0.0, 0.0};
   const auto count = static_cast<std::size_t>(other_count_);
   for (std::size_t j = 0; j < count; ++j) {
@@ -360,8 +482,8 @@ Hyperplane<K> Kernel<K>::hyperplane(const Cell& cell) const {
 }
 
 template <int K>
-[[gnu::always_inline]] inline int Kernel<K>::filtered_conflict(const Hyperplane<K>& plane, VertexId origin,
-                                                               VertexId q) const {
+[[gnu::always_inline]] inline typename Kernel<K>::Estimate Kernel<K>::estimate(const Hyperplane<K>& plane,
+                                                                               VertexId origin, VertexId q) const {
   const double* a = at(origin);
   const double* b = at(q);
   double value = 0.0;
@@ -379,10 +501,10 @@ template <int K>
     lift += extra.value;
     size += extra.size;
   }
-  if (!(size > filter::kSmallestSquare && size < 0x1p190)) return kUnsure;
-  value += plane.height * lift;
+  value = -(value + plane.height * lift);
   const double bound = plane.tilt_error * length + plane.height_error * size;
-  return value < -bound ? 1 : (value > bound ? -1 : kUnsure);
+  return {value, std::numeric_limits<double>::infinity(),
+          size > filter::kSmallestSquare && size < 0x1p190 && std::abs(value) > bound};
 }
 
 template <int K>
@@ -397,6 +519,7 @@ SlowSign Kernel<K>::slow_conflict_sign(const Cell& cell, VertexId q) const {
   SiteRefs<K, K + 2> refs;
   refs.other_count = other_count_;
   refs.weighted = weights_ != nullptr;
+  refs.short_integers = short_integers_;
   for (std::size_t i = 0; i < K + 2; ++i) {
     const VertexId v = i <= kCoordinates ? cell[i] : q;
     refs.leading[i] = at(v);
@@ -407,13 +530,20 @@ SlowSign Kernel<K>::slow_conflict_sign(const Cell& cell, VertexId q) const {
 }
 
 template <int K>
-bool Kernel<K>::slow_perturbed_conflict(const Cell& cell, VertexId q) {
-  const SlowSign slow = slow_conflict_sign(cell, q);
-  if (slow.sign != 0) {
-    ++(slow.stage == Stage::adaptive ? stats_.conflict_adaptive : stats_.conflict_exact);
-    return slow.sign > 0;
+bool Kernel<K>::decide_slowly(Estimate e, const Cell& cell, VertexId q) {
+  if (e.size < conflict_exact_below_) {
+    if (e.value == 0.0) return tie(cell, q);
+    ++stats_.conflict_filter;
+    return e.value > 0.0;
   }
-  return tie(cell, q);
+  if (const Estimate closer = estimate_by_permanent(cell, q); closer.sure) {
+    ++stats_.conflict_filter;
+    return closer.value > 0.0;
+  }
+  const SlowSign slow = slow_conflict_sign(cell, q);
+  if (slow.sign == 0) return tie(cell, q);
+  ++(slow.stage == Stage::adaptive ? stats_.conflict_adaptive : stats_.conflict_exact);
+  return slow.sign > 0;
 }
 
 template <int K>

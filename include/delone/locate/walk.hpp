@@ -46,19 +46,7 @@ CellId walk(const ComplexView<K>& complex, Kernel<K>& kernel, VertexId q, CellId
   if (const int ghost = complex.ghost_slot(c); ghost >= 0) c = complex.cell(complex.twin(c, ghost));
   int entered = -1;  // the facet that the walk came through: q lies on this side of it
   for (std::uint64_t left = 16 + 4 * static_cast<std::uint64_t>(complex.slot_count()); left != 0; --left) {
-    auto v = complex.vertices(c);
-    int leave = -1;
-    for (int i = 0; i <= K; ++i) {
-      if (i == entered) continue;
-      const VertexId apex = v[static_cast<std::size_t>(i)];
-      v[static_cast<std::size_t>(i)] = q;
-      const int side = kernel.orient(v);
-      v[static_cast<std::size_t>(i)] = apex;
-      if (side < 0) {
-        leave = i;
-        break;
-      }
-    }
+    const int leave = kernel.separating_slot(complex.vertices(c), q, entered);
     if (leave < 0) return c;
     ++stats.steps;
     const FacetId across = complex.twin(c, leave);

@@ -1,0 +1,38 @@
+#include "delone/base/pair.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace delone {
+namespace {
+
+void expect_pair(Pair p, double first, double second) {
+  EXPECT_EQ(p[0], first);
+  EXPECT_EQ(p[1], second);
+}
+
+TEST(Pair, is_loaded_from_any_double) {
+  const std::array<double, 3> x{1.0, 2.0, 3.0};
+  expect_pair(load_pair(x.data()), 1.0, 2.0);
+  expect_pair(load_pair(x.data() + 1), 2.0, 3.0);
+}
+
+TEST(Pair, lanes_are_picked_from_two) {
+  const Pair a{1.0, 2.0};
+  const Pair b{3.0, 4.0};
+  expect_pair(firsts(a, b), 1.0, 3.0);
+  expect_pair(seconds(a, b), 2.0, 4.0);
+  expect_pair(turned(a, b), 2.0, 3.0);
+  expect_pair(turned(b, a), 4.0, 1.0);
+  expect_pair(larger(Pair{1.0, 5.0}, Pair{3.0, 4.0}), 3.0, 5.0);
+}
+
+TEST(Pair, every_lane_is_rounded_as_a_double_is) {
+  const Pair third = Pair{1.0, 2.0} / Pair{3.0, 3.0};
+  expect_pair(third, 1.0 / 3.0, 2.0 / 3.0);
+  expect_pair(third * third - third, 1.0 / 3.0 * (1.0 / 3.0) - 1.0 / 3.0, 2.0 / 3.0 * (2.0 / 3.0) - 2.0 / 3.0);
+}
+
+}  // namespace
+}  // namespace delone
