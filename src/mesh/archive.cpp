@@ -18,6 +18,7 @@
 #include "delone/base/errors.hpp"
 #include "delone/base/random.hpp"
 #include "delone/geometry/kernel.hpp"
+#include "delone/mesh/cavity.hpp"
 
 namespace delone {
 namespace {
@@ -339,18 +340,6 @@ class InnerPoint {
   typename Kernel<K>::Cell corners_;
 };
 
-/// Whether inserting q would destroy cell c: a ghost cell when q lies beyond its facet, or on its hyperplane and the
-/// finite cell behind gives way.
-template <int K>
-bool gives_way(const ComplexView<K>& complex, Kernel<K>& kernel, CellId c, VertexId q) {
-  auto v = complex.vertices(c);
-  const int ghost = complex.ghost_slot(c);
-  if (ghost < 0) return kernel.conflict(v, q);
-  v[static_cast<std::size_t>(ghost)] = q;
-  if (const int side = kernel.orient(v); side != 0) return side > 0;
-  return kernel.conflict(complex.vertices(complex.cell(complex.twin(c, ghost))), q);
-}
-
 /// That the cells are the regular triangulation of their vertices, so that every later search ends where it should:
 /// finite cells are positive; a point o in one of them is in no other, and strictly inside of every facet of the hull;
 /// no cell conflicts with the vertex across a facet. So the hull is star-shaped about o, then convex, and covered once;
@@ -375,7 +364,9 @@ void require_regular(const ComplexView<K>& complex, const Sites& sites) {
       const FacetId across = complex.twin(c, i);
       const CellId d = complex.cell(across);
       if (raw(d) < raw(c) || complex.is_ghost(d) != (ghost >= 0)) continue;
-      require(!gives_way(complex, kernel, c, complex.vertex(across)), "the cells are not those of its points");
+      const VertexId q = complex.vertex(across);
+      const auto below = [&](CellId f) { return kernel.conflict(complex.vertices(f), q); };
+      require(!in_conflict(complex, kernel, c, q, below), "the cells are not those of its points");
     }
   }
   require(cells_over_o == 1, "cells overlap");

@@ -82,5 +82,34 @@ TEST(Buffer, a_request_beyond_memory_throws_and_changes_nothing) {
   EXPECT_EQ(buffer[2], 5.0);
 }
 
+TEST(Refill, starts_anew_and_tells_the_buffer_its_size_at_the_end) {
+  Buffer<int> buffer = filled(5);
+  {
+    Refill refill(buffer);
+    EXPECT_TRUE(refill.empty());
+    refill.make_room(3);
+    refill.push(7);
+    refill.push(8);
+    refill.push(9);
+    EXPECT_EQ(refill.pop(), 9);
+    EXPECT_EQ(refill.size(), 2U);
+    EXPECT_EQ(refill[1], 8);
+  }
+  EXPECT_THAT(list(buffer), ElementsAre(7, 8));
+}
+
+TEST(Refill, keeps_what_is_meant_while_it_grows) {
+  Buffer<int> buffer;
+  {
+    Refill refill(buffer);
+    for (int i = 0; i < 1000; ++i) {
+      refill.make_room(1);
+      refill.push_if(i % 3 == 0, i);
+    }
+  }
+  ASSERT_EQ(buffer.size(), 334U);
+  for (std::size_t i = 0; i < buffer.size(); ++i) ASSERT_EQ(buffer[i], 3 * static_cast<int>(i));
+}
+
 }  // namespace
 }  // namespace delone

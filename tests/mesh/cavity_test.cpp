@@ -63,5 +63,27 @@ TEST(Cavity, is_every_cell_in_conflict_and_no_other) {
   }
 }
 
+TEST(Cavity, in_the_plane_its_boundary_is_listed_as_a_cycle) {
+  for (const PointSet& points :
+       {uniform(2, 60, 1), lattice(2, 60, 5, 2), cospherical(2, 60, 3), with_random_weights(lattice(2, 80, 6, 4), 5)}) {
+    AnyTriangulation t(2, !points.weights.empty());
+    const auto expect_cycle = [&](const Edit& edit) {
+      // Each cell of the star shares the edge from the new vertex to where its part of the boundary ends with the next.
+      for (std::size_t b = 0; b < edit.created.size(); ++b) {
+        const CellId c = edit.created[b];
+        int slot = 0;
+        while (t.complex().vertex(c, slot) != edit.vertex) ++slot;
+        const FacetId along_end = t.complex().twin(c, (slot + 1) % 3);
+        ASSERT_EQ(t.complex().cell(along_end), edit.created[(b + 1) % edit.created.size()]) << points.name;
+      }
+    };
+    for (std::size_t row = 0; row < points.size(); ++row) {
+      insert(t, points.view()[row], points.view().weight(row), {.on_edit = [&](const Edit& edit) {
+               if (!edit.rebuilt && t.affine_dimension() == 2) expect_cycle(edit);
+             }});
+    }
+  }
+}
+
 }  // namespace
 }  // namespace delone

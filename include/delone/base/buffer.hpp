@@ -102,4 +102,44 @@ class Buffer {
   std::size_t capacity_ = 0;
 };
 
+/// Fills a buffer from its start; its place stands in registers, and the buffer learns its size at the end.
+template <class T>
+class Refill {
+ public:
+  explicit Refill(Buffer<T>& buffer) : buffer_(&buffer), next_(buffer.data()), end_(next_ + buffer.capacity()) {}
+  ~Refill() { buffer_->resize(size()); }
+  Refill(const Refill&) = delete;
+  Refill& operator=(const Refill&) = delete;
+
+  std::size_t size() const { return static_cast<std::size_t>(next_ - buffer_->data()); }
+  bool empty() const { return next_ == buffer_->data(); }
+  T operator[](std::size_t i) const { return buffer_->data()[i]; }
+  /// Room for `count` more; on std::bad_alloc nothing has changed.
+  void make_room(std::size_t count) {
+    if (static_cast<std::size_t>(end_ - next_) < count) [[unlikely]]
+      grow(count);
+  }
+  // These need room.
+  void push(T value) { *next_++ = value; }
+  /// Without a branch.
+  void push_if(bool really, T value) {
+    *next_ = value;
+    next_ += really ? 1 : 0;
+  }
+  T pop() { return *--next_; }
+
+ private:
+  void grow(std::size_t count) {
+    const std::size_t used = size();
+    buffer_->resize(used);
+    buffer_->reserve_more(used + count);
+    next_ = buffer_->data() + used;
+    end_ = buffer_->data() + buffer_->capacity();
+  }
+
+  Buffer<T>* buffer_;
+  T* next_;
+  T* end_;
+};
+
 }  // namespace delone

@@ -37,55 +37,108 @@ template <int K>
   }
 }
 
-/// Whether inserting q destroys cell c. A ghost cell is destroyed when q lies beyond its facet; on the facet's
-/// hyperplane the finite cell behind decides, so that no special case is left on the hull.
-template <int K>
-[[gnu::always_inline]] inline bool in_conflict(const ComplexView<K>& complex, Kernel<K>& kernel, Scratch& scratch,
-                                               CellId c, VertexId q) {
+/// Whether inserting q destroys ghost cell c: when q lies beyond its facet; on the facet's hyperplane the finite cell
+/// behind decides, so that no special case is left on the hull.
+/// @param below  below(f): whether the lifted q lies below the hyperplane of finite cell f
+template <int K, class Below>
+[[gnu::noinline]] bool beyond_facet(const ComplexView<K>& complex, Kernel<K>& kernel, CellId c, VertexId q,
+                                    const Below& below) {
   const int ghost = complex.ghost_slot(c);
-  if (ghost < 0) return below_hyperplane(complex, kernel, scratch, c, q);
   auto v = complex.vertices(c);
   v[static_cast<std::size_t>(ghost)] = q;
   if (const int side = kernel.orient(v); side != 0) return side > 0;
-  return below_hyperplane(complex, kernel, scratch, complex.cell(complex.twin(c, ghost)), q);
+  return below(complex.cell(complex.twin(c, ghost)));
 }
 
-/// Asks memory for what a test of cell c will read.
+/// Whether inserting q destroys cell c.
+template <int K, class Below>
+[[gnu::always_inline]] inline bool in_conflict(const ComplexView<K>& complex, Kernel<K>& kernel, CellId c, VertexId q,
+                                               const Below& below) {
+  if (complex.is_ghost(c)) [[unlikely]]
+    return beyond_facet(complex, kernel, c, q, below);
+  return below(c);
+}
+
+/// The same with the hyperplanes that `scratch` keeps.
 template <int K>
-[[gnu::always_inline]] inline void fetch_ahead(const ComplexView<K>& complex, const Scratch& scratch, CellId c) {
-  complex.prefetch(c);
-  if constexpr (K > 3) __builtin_prefetch(scratch.planes.data() + raw(c) * Scratch::plane_size(K));
+[[gnu::always_inline]] inline bool in_conflict(const ComplexView<K>& complex, Kernel<K>& kernel, Scratch& scratch,
+                                               CellId c, VertexId q) {
+  return in_conflict(
+      complex, kernel, c,
+      q, [&](CellId f) __attribute__((always_inline)) { return below_hyperplane(complex, kernel, scratch, f, q); });
+}
+
+/// Asks memory for what tests of the neighbours of c will read.
+template <int K>
+[[gnu::always_inline]] inline void fetch_neighbours(const ComplexView<K>& complex, const Scratch& scratch, CellId c) {
+  for (int i = 0; i <= K; ++i) {
+    const CellId across = complex.cell(complex.twin(c, i));
+    complex.prefetch(across);
+    if constexpr (K > 3) __builtin_prefetch(scratch.planes.data() + raw(across) * Scratch::plane_size(K));
+  }
 }
 
 /// Finds all cells in conflict with q, from one of them, into `scratch`. Changes nothing else; on std::bad_alloc every
-/// marked cell is in the lists.
+/// marked cell is listed. Breadth first: the list is the queue. No branch depends on the outcome of a test, which
+/// nobody can predict.
 template <int K>
-void find_cavity(const ComplexView<K>& complex, Kernel<K>& kernel, VertexId q, CellId start, Scratch& scratch) {
-  auto& [marks, removed, spared, boundary, created, edges, planes] = scratch;
-  using Mark = Scratch::Mark;
-  removed.clear();
-  spared.clear();
-  boundary.clear();
-  removed.push_back(start);
-  marks[raw(start)] = Mark::conflicting;
-  for (std::size_t next = 0; next < removed.size(); ++next) {  // breadth first; the list is the queue
-    const CellId c = removed[next];
-    for (int i = 0; i <= K; ++i) {
-      const FacetId outside = complex.twin(c, i);
+void find_cavity(ComplexView<K> complex, Kernel<K>& kernel, VertexId q, CellId start, Scratch& scratch) {
+  Refill cavity(scratch.cavity);
+  Refill boundary(scratch.boundary);
+  Scratch::Mark* const marks = scratch.marks.data();
+  cavity.make_room(1);
+  cavity.push(complex.facet(start, 0));
+  marks[raw(start)] = Scratch::Mark::conflicting;
+  for (std::size_t next = 0; next < cavity.size(); ++next) {
+    cavity.make_room(K + 1);
+    boundary.make_room(K + 1);
+    if (next + 2 < cavity.size()) fetch_neighbours(complex, scratch, complex.cell(cavity[next + 2]));
+    const CellId c = complex.cell(cavity[next]);
+    const int entry = complex.slot(cavity[next]);
+    for (int i = next == 0 ? 0 : 1; i <= K; ++i) {
+      const int slot = complex.turned(entry, i);
+      const FacetId outside = complex.twin(c, slot);
       const CellId across = complex.cell(outside);
-      const Mark mark = marks[raw(across)];
-      if (mark == Mark::conflicting) continue;
-      if (mark == Mark::unknown) {
-        if (in_conflict(complex, kernel, scratch, across, q)) {
-          for (int j = 0; j <= K; ++j) fetch_ahead(complex, scratch, complex.cell(complex.twin(across, j)));
-          removed.push_back(across);
-          marks[raw(across)] = Mark::conflicting;
-          continue;
-        }
-        spared.push_back(across);
-        marks[raw(across)] = Mark::staying;
-      }
-      boundary.push_back({c, i, outside});
+      if (marks[raw(across)] == Scratch::Mark::conflicting) continue;
+      const bool conflicting = in_conflict(complex, kernel, scratch, across, q);
+      marks[raw(across)] = static_cast<Scratch::Mark>(conflicting);
+      cavity.push_if(conflicting, outside);
+      boundary.push_if(!conflicting, complex.facet(c, slot));
+    }
+  }
+}
+
+/// In 2D depth first, the edges of a cell in turning order: this lists the boundary as the cycle that it is (cells are
+/// crossed along a tree, and what is not crossed hangs from the boundary by one vertex).
+template <>
+inline void find_cavity(ComplexView<2> complex, Kernel<2>& kernel, VertexId q, CellId start, Scratch& scratch) {
+  Refill cavity(scratch.cavity);
+  Refill pending(scratch.pending);
+  Refill boundary(scratch.boundary);
+  Scratch::Mark* const marks = scratch.marks.data();
+  cavity.make_room(1);
+  cavity.push(complex.facet(start, 0));
+  marks[raw(start)] = Scratch::Mark::conflicting;
+  pending.make_room(3);
+  for (int i = 2; i >= 0; --i) pending.push(complex.twin(start, i));
+  while (!pending.empty()) {
+    cavity.make_room(1);
+    pending.make_room(2);
+    boundary.make_room(1);
+    const FacetId outside = pending.pop();
+    const CellId c = complex.cell(outside);
+    const int entry = complex.slot(outside);
+    if (marks[raw(c)] == Scratch::Mark::conflicting) continue;
+    if (!in_conflict(complex, kernel, scratch, c, q)) {
+      boundary.push(complex.twin(c, entry));
+      continue;
+    }
+    marks[raw(c)] = Scratch::Mark::conflicting;
+    cavity.push(outside);
+    for (int i = 2; i > 0; --i) {
+      const FacetId ahead = complex.twin(c, complex.turned(entry, i));
+      complex.prefetch(complex.cell(ahead));
+      pending.push(ahead);
     }
   }
 }

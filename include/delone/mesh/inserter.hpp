@@ -59,7 +59,12 @@ class Inserter {
   /// A live cell close to the last insertion.
   CellId last_cell() const { return last_; }
   /// What the last insertion changed, if its outcome was `inserted`; valid until the next.
-  Edit edit(VertexId q) const { return {.vertex = q, .removed = scratch_->removed, .created = scratch_->created}; }
+  Edit edit(VertexId q) {
+    auto& removed = scratch_->removed;
+    removed.resize(scratch_->cavity.size());
+    for (std::size_t i = 0; i < removed.size(); ++i) removed[i] = complex_.cell(scratch_->cavity[i]);
+    return {.vertex = q, .removed = removed, .created = scratch_->created};
+  }
 
  private:
   VertexId vertex_at_place_of(VertexId q, CellId c) const {
@@ -75,22 +80,26 @@ class Inserter {
       mesh_->complex.reserve_more(scratch_->boundary.size(), mesh_->sites.size());
       scratch_->prepare_star(K, complex_.slot_count(), mesh_->sites.size());
     } catch (...) {
-      scratch_->clean_marks();
+      clean_marks();
       throw;
     }
     fill_cavity(complex_, q, *scratch_);  // from here on nothing fails
     ++mesh_->vertex_count;
     if (mesh_->sites.weighted()) hide_swallowed_vertices();
-    for (const CellId c : scratch_->removed) complex_.destroy(c);
-    scratch_->clean_marks();
+    for (const FacetId f : scratch_->cavity) complex_.destroy(complex_.cell(f));
+    clean_marks();
     mesh_->statistics.cells_created += scratch_->created.size();
     last_ = scratch_->created.front();
   }
 
+  void clean_marks() {
+    for (const FacetId f : scratch_->cavity) scratch_->marks[raw(complex_.cell(f))] = Scratch::Mark::none;
+  }
+
   /// Vertices whose whole star lay in the cavity have become redundant.
   void hide_swallowed_vertices() {
-    for (const CellId c : scratch_->removed) {
-      for (const VertexId v : complex_.vertices(c)) {
+    for (const FacetId f : scratch_->cavity) {
+      for (const VertexId v : complex_.vertices(complex_.cell(f))) {
         if (v == kGhost || !complex_.has_vertex(v)) continue;
         if (scratch_->marks[raw(complex_.incident_cell(v))] != Scratch::Mark::conflicting) continue;
         complex_.forget(v);

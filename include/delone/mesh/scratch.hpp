@@ -13,30 +13,24 @@ namespace delone {
 
 /// In 3D: the facets of a new star by the directed edges of the cavity's boundary, on vertices numbered as they come.
 struct EdgeTable {
-  static constexpr std::size_t kVertices = 48;  ///< larger stars are linked by turning
+  static constexpr std::size_t kVertices = 64;  ///< larger stars are linked by turning
 
   Buffer<std::uint16_t> number;  ///< per vertex + 1, the ghost at 0; valid when member[number] is the vertex
   std::array<VertexId, kVertices> member;
   std::array<std::array<FacetId, kVertices>, kVertices> facet;
-  std::array<std::array<std::size_t, 3>, 2 * kVertices> numbers;  ///< per new cell, of its three boundary vertices
-};
-
-/// A facet of the cavity: slot `apex` of cell `inside`, and the same facet from outside.
-struct BoundaryFacet {
-  CellId inside;
-  int apex;
-  FacetId outside;
+  std::array<std::array<std::uint16_t, 3>, 2 * kVertices> numbers;  ///< per new cell, of its three boundary vertices
 };
 
 struct Scratch {
   // A type of its own, not a character type: a store of one may change no other number, and the compiler knows.
-  enum class Mark : std::uint8_t { unknown, conflicting, staying };
+  enum class Mark : std::uint8_t { none, conflicting };
 
-  Buffer<Mark> marks;              ///< per cell slot; all `unknown` between insertions
-  Buffer<CellId> removed;          ///< the cavity
-  Buffer<CellId> spared;           ///< cells around it that were tested and stay
-  Buffer<BoundaryFacet> boundary;  ///< where the cavity meets them
-  Buffer<CellId> created;          ///< the star, in the order of `boundary`
+  Buffer<Mark> marks;        ///< per cell slot; all `none` between insertions
+  Buffer<FacetId> cavity;    ///< of every cell in conflict a facet: the one that the search entered it by
+  Buffer<FacetId> pending;   ///< facets that a search in depth has still to cross, seen from beyond
+  Buffer<FacetId> boundary;  ///< facets between the cavity and what stays, seen from inside
+  Buffer<CellId> created;    ///< the star, in the order of `boundary`
+  Buffer<CellId> removed;    ///< the cells of the cavity, when somebody asked for them
   EdgeTable edges;
   Buffer<double> planes;  ///< above 3D, per cell slot a Hyperplane; not yet known where it starts with NaN
 
@@ -49,7 +43,7 @@ struct Scratch {
     marks.reserve_more(slots - marks.size());
     planes.reserve(marks.capacity() * plane_size(k));
     planes.resize(marks.capacity() * plane_size(k), std::numeric_limits<double>::quiet_NaN());
-    marks.resize(marks.capacity(), Mark::unknown);
+    marks.resize(marks.capacity(), Mark::none);
   }
   /// Room for a star beside the cavity just found.
   void prepare_star(int dimension, std::size_t slots, std::size_t vertices) {
@@ -59,12 +53,8 @@ struct Scratch {
   }
   std::size_t memory_bytes() const {
     return marks.capacity() + edges.number.capacity() * sizeof(std::uint16_t) + planes.capacity() * sizeof(double) +
-           (removed.capacity() + spared.capacity() + created.capacity()) * sizeof(CellId) +
-           boundary.capacity() * sizeof(BoundaryFacet);
-  }
-  void clean_marks() {
-    for (const CellId c : removed) marks[raw(c)] = Mark::unknown;
-    for (const CellId c : spared) marks[raw(c)] = Mark::unknown;
+           (cavity.capacity() + pending.capacity() + boundary.capacity()) * sizeof(FacetId) +
+           (created.capacity() + removed.capacity()) * sizeof(CellId);
   }
 };
 

@@ -20,23 +20,25 @@ namespace delone {
 
 namespace star {
 
-/// Links new cells by turning about each ridge of the boundary, through the cavity. The old cells are still there;
-/// their boundary facets lead to the new cells.
+/// Links new cells by turning about each ridge of the boundary, through the cavity. The old cells are still there.
 template <int K>
 void link_by_turning(ComplexView<K> complex, VertexId q, const Scratch& scratch) {
   for (std::size_t b = 0; b < scratch.boundary.size(); ++b) {
-    for (int i = 0; i <= K; ++i) {
-      if (i != scratch.boundary[b].apex) complex.set_twin(scratch.created[b], i, kNoFacet);
-    }
+    const FacetId inside = scratch.boundary[b];
+    for (int i = 0; i <= K; ++i) complex.set_twin(scratch.created[b], i, kNoFacet);
+    const FacetId base = complex.facet(scratch.created[b], complex.slot(inside));
+    complex.set_twin(base, complex.twin(inside));
+    complex.set_twin(inside, base);  // a turn that leaves the cavity arrives in the star
   }
   for (std::size_t b = 0; b < scratch.boundary.size(); ++b) {
     const CellId fresh = scratch.created[b];
     complex.settle(fresh);
-    const int apex = scratch.boundary[b].apex;
+    const FacetId inside = scratch.boundary[b];
+    const int apex = complex.slot(inside);
     for (int i = 0; i <= K; ++i) {
       if (i == apex || complex.twin(fresh, i) != kNoFacet) continue;
       // The ridge lacks slots `in` and `out` of each cell: enter through one facet, leave through the other.
-      CellId c = scratch.boundary[b].inside;
+      CellId c = complex.cell(inside);
       int in = apex;
       int out = i;
       FacetId across = complex.twin(c, out);
@@ -54,22 +56,17 @@ void link_by_turning(ComplexView<K> complex, VertexId q, const Scratch& scratch)
   complex.set_incident(q, scratch.created.front());
 }
 
-/// 2D: the boundary is a cycle; the cell that starts at a vertex is the incident cell of that vertex, so the cell that
-/// ends there finds its neighbour by it.
+/// 2D: the boundary is a cycle, and listed as one.
 inline void link_cycle(ComplexView<2> complex, VertexId q, const Scratch& scratch) {
-  constexpr std::array<int, 3> kNext{1, 2, 0};
+  // A cell with the edge from u to w of the boundary meets the next one along q and w, opposite the slot of u.
+  const auto facet = [&](std::size_t b, int after_apex) {
+    return complex.facet(scratch.created[b], complex.turned(complex.slot(scratch.boundary[b]), after_apex));
+  };
+  FacetId last = facet(scratch.created.size() - 1, 1);
   for (std::size_t b = 0; b < scratch.created.size(); ++b) {
-    const int apex = scratch.boundary[b].apex;
-    complex.set_incident(complex.vertex(scratch.created[b], kNext[static_cast<std::size_t>(apex)]), scratch.created[b]);
-  }
-  for (std::size_t b = 0; b < scratch.created.size(); ++b) {
-    const int apex = scratch.boundary[b].apex;
-    const int start = kNext[static_cast<std::size_t>(apex)];
-    const int end = kNext[static_cast<std::size_t>(start)];
-    const CellId next = complex.incident_cell(complex.vertex(scratch.created[b], end));
-    // `next` has q, then its start, then its end, where the two cells touch along q and `end`.
-    const int across = kNext[static_cast<std::size_t>(kNext[static_cast<std::size_t>(complex.slot_of(next, q))])];
-    complex.link(complex.facet(scratch.created[b], start), complex.facet(next, across));
+    complex.link(last, facet(b, 2));
+    last = facet(b, 1);
+    complex.set_incident(complex.vertex(last), scratch.created[b]);
   }
   complex.set_incident(q, scratch.created.front());
 }
@@ -82,34 +79,37 @@ inline bool link_by_edge_table(ComplexView<3> complex, VertexId q, Scratch& scra
   auto& table = scratch.edges;
   const std::size_t count = scratch.created.size();
   if (count > 2 * EdgeTable::kVertices - 4) return false;  // a sphere of v vertices has 2 v - 4 triangles
-  std::size_t members = 0;
+  const CellId* const created = scratch.created.data();
+  const FacetId* const boundary = scratch.boundary.data();
+  std::uint16_t* const numbers = table.number.data();
+  table.member.fill(q);  // is on no boundary
+  std::uint16_t members = 0;
   for (std::size_t b = 0; b < count; ++b) {
-    const CellId fresh = scratch.created[b];
-    const auto& corners = kFacet[static_cast<std::size_t>(scratch.boundary[b].apex)];
-    std::array<std::size_t, 3> number;
+    const CellId fresh = created[b];
+    const auto& corners = kFacet[static_cast<std::size_t>(complex.slot(boundary[b]))];
+    std::array<std::uint16_t, 3> number;
     for (std::size_t i = 0; i < 3; ++i) {
       const VertexId v = complex.vertex(fresh, corners[i]);
-      std::uint16_t& known = table.number[static_cast<Index>(raw(v) + 1)];  // the ghost wraps round to 0
-      if (known >= members || table.member[known] != v) {                   // numbers of earlier stars are not cleared
-        known = static_cast<std::uint16_t>(members);
+      number[i] = numbers[static_cast<Index>(raw(v) + 1)];  // the ghost wraps round to 0
+      if (table.member[number[i]] != v) {                   // numbers of earlier stars are not cleared
+        numbers[static_cast<Index>(raw(v) + 1)] = number[i] = members;
         table.member[members++] = v;
         complex.set_incident(v, fresh);
       }
-      number[i] = known;
     }
     table.numbers[b] = number;
-    for (std::size_t i = 0; i < 3; ++i) {
-      table.facet[number[i]][number[(i + 1) % 3]] = complex.facet(fresh, corners[(i + 2) % 3]);
-    }
+    table.facet[number[0]][number[1]] = complex.facet(fresh, corners[2]);
+    table.facet[number[1]][number[2]] = complex.facet(fresh, corners[0]);
+    table.facet[number[2]][number[0]] = complex.facet(fresh, corners[1]);
   }
   for (std::size_t b = 0; b < count; ++b) {
-    const auto& corners = kFacet[static_cast<std::size_t>(scratch.boundary[b].apex)];
+    const auto& corners = kFacet[static_cast<std::size_t>(complex.slot(boundary[b]))];
     const auto& number = table.numbers[b];
-    for (std::size_t i = 0; i < 3; ++i) {
-      complex.set_twin(scratch.created[b], corners[(i + 2) % 3], table.facet[number[(i + 1) % 3]][number[i]]);
-    }
+    complex.set_twin(created[b], corners[2], table.facet[number[1]][number[0]]);
+    complex.set_twin(created[b], corners[0], table.facet[number[2]][number[1]]);
+    complex.set_twin(created[b], corners[1], table.facet[number[0]][number[2]]);
   }
-  complex.set_incident(q, scratch.created.front());
+  complex.set_incident(q, created[0]);
   return true;
 }
 
@@ -118,18 +118,15 @@ inline bool link_by_edge_table(ComplexView<3> complex, VertexId q, Scratch& scra
 /// Replaces the cavity in `scratch` by the star of q.
 template <int K>
 void fill_cavity(ComplexView<K> complex, VertexId q, Scratch& scratch) {
-  auto& [marks, removed, spared, boundary, created, edges, planes] = scratch;
-  for (std::size_t b = 0; b < boundary.size(); ++b) {
-    const auto [inside, apex, outside] = boundary[b];
+  for (std::size_t b = 0; b < scratch.boundary.size(); ++b) {
+    const FacetId inside = scratch.boundary[b];
     const CellId fresh = complex.create();
-    created[b] = fresh;
-    auto vertices = complex.vertices(inside);
-    vertices[static_cast<std::size_t>(apex)] = q;
-    complex.set_vertices(fresh, vertices);
+    scratch.created[b] = fresh;
+    complex.set_vertices(fresh, complex.vertices(complex.cell(inside)));
+    complex.set_vertex(fresh, complex.slot(inside), q);
     complex.count_ghost(fresh);
-    if constexpr (K > 3) planes[raw(fresh) * Scratch::plane_size(K)] = std::numeric_limits<double>::quiet_NaN();
-    complex.link(complex.facet(fresh, apex), outside);
-    complex.set_twin(inside, apex, complex.facet(fresh, apex));  // from the old boundary to the star, for turning
+    complex.link(complex.facet(fresh, complex.slot(inside)), complex.twin(inside));
+    if constexpr (K > 3) scratch.planes[raw(fresh) * Scratch::plane_size(K)] = std::numeric_limits<double>::quiet_NaN();
   }
   if constexpr (K == 2) {
     star::link_cycle(complex, q, scratch);

@@ -89,6 +89,11 @@ class ComplexView {
 
   static CellId cell(FacetId f) { return CellId{raw(f) / kCorners}; }
   static int slot(FacetId f) { return static_cast<int>(raw(f) % kCorners); }
+  /// The slot `by` places after `slot`, 0 <= by <= K + 1, round and round.
+  static int turned(int slot, int by) {
+    const int sum = slot + by;
+    return sum > K ? sum - (K + 1) : sum;
+  }
   static FacetId facet(CellId c, int i) { return FacetId{raw(c) * kCorners + static_cast<Index>(i)}; }
 
   VertexId vertex(CellId c, int i) const { return VertexId{base(c)[i]}; }
@@ -98,14 +103,14 @@ class ComplexView {
     std::memcpy(copy.data(), base(c), sizeof copy);
     return copy;
   }
-  VertexId vertex(FacetId f) const { return vertex(cell(f), slot(f)); }
-  FacetId twin(FacetId f) const { return twin(cell(f), slot(f)); }
-  /// The slot of a vertex that `c` has.
+  VertexId vertex(FacetId f) const { return VertexId{complex_->ids_[place(f)]}; }
+  FacetId twin(FacetId f) const { return FacetId{complex_->ids_[place(f) + kCorners]}; }
+  /// The slot of a vertex that `c` has. Without a branch on where it stands, which nobody can predict.
   int slot_of(CellId c, VertexId v) const {
-    int i = 0;
-    while (vertex(c, i) != v) ++i;
-    DELONE_ASSERT(i <= K, "the cell has the vertex");
-    return i;
+    int slot = 0;
+    for (int i = 1; i <= K; ++i) slot = vertex(c, i) == v ? i : slot;
+    DELONE_ASSERT(vertex(c, slot) == v, "the cell has the vertex");
+    return slot;
   }
 
   /// Slot of the ghost, or -1 in a finite cell. Above dimension 1 the ghost always stands last (I4).
@@ -145,9 +150,10 @@ class ComplexView {
   void set_vertex(CellId c, int i, VertexId v) { base(c)[i] = raw(v); }
   void set_vertices(CellId c, const std::array<VertexId, kCorners>& v) { std::memcpy(base(c), v.data(), sizeof v); }
   void set_twin(CellId c, int i, FacetId f) { base(c)[kCorners + static_cast<Index>(i)] = raw(f); }
+  void set_twin(FacetId f, FacetId g) { complex_->ids_[place(f) + kCorners] = raw(g); }
   void link(FacetId f, FacetId g) {
-    set_twin(cell(f), slot(f), g);
-    set_twin(cell(g), slot(g), f);
+    set_twin(f, g);
+    set_twin(g, f);
   }
   /// Counts `c`, whose vertices are set, if it is a ghost cell.
   void count_ghost(CellId c) {
@@ -172,6 +178,8 @@ class ComplexView {
   void prefetch(CellId c) const { __builtin_prefetch(base(c)); }
 
  private:
+  /// Where the vertex opposite f stands; its twin stands kCorners further.
+  static std::size_t place(FacetId f) { return raw(f) + std::size_t{kCorners} * raw(cell(f)); }
   Index* base(CellId c) const { return complex_->ids_.data() + raw(c) * (2 * std::size_t{kCorners}); }
 
   Complex* complex_;
