@@ -32,8 +32,10 @@ class KeyedRows {
   std::uint64_t key(std::size_t i) const { return words_[i] >> row_bits_; }
   void set_key(std::size_t i, std::uint64_t key) { words_[i] = key << row_bits_ | row(i); }
 
-  /// Sorts [begin, end) by the low `bits` bits of the key, 11 at a time, least significant first.
+  /// Sorts [begin, end) by the low `bits` bits of the key, which is all of it, 11 at a time, least significant first.
   void sort(std::size_t begin, std::size_t end, int bits) {
+    constexpr std::size_t kFew = 512;
+    if (end - begin < kFew) return std::sort(words_.begin() + begin, words_.begin() + end);
     constexpr int kDigit = 11;
     constexpr std::uint64_t kMask = (1U << kDigit) - 1;
     std::span<std::uint64_t> from = std::span(words_.data(), words_.size()).subspan(begin, end - begin);
@@ -77,10 +79,10 @@ struct Cube {
 
   std::uint64_t distance(std::span<const double> point, std::span<const int> axes, int bits) const {
     std::array<std::uint32_t, K> cell;
-    const double cells = std::ldexp(1.0, bits);
+    const auto cells = static_cast<double>(std::uint64_t{1} << bits);
     for (std::size_t j = 0; j < K; ++j) {
       const double share = (point[static_cast<std::size_t>(axes[j])] * 0.5 - low[j]) / extent;  // 0 to 1
-      cell[j] = static_cast<std::uint32_t>(std::min(share * cells, cells - 1.0));
+      cell[j] = static_cast<std::uint32_t>(static_cast<std::int64_t>(std::min(share * cells, cells - 1.0)));
     }
     return HilbertCurve<K>::distance(cell, bits);
   }
@@ -102,7 +104,7 @@ void for_chunks(std::size_t begin, std::size_t end, int threads, Work work) {
 
 template <int K>
 void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& rows, int rounds, int threads) {
-  constexpr std::size_t kCrowd = 24;  // fewer points than this in one grid cell may stay as they are
+  constexpr std::size_t kCrowd = 3;  // fewer points than this in one grid cell may stay as they are
   struct Job {
     std::size_t begin, end;
     int rounds;
@@ -114,8 +116,7 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
     const Cube<K> cube(points, axes, rows, job.begin, job.end);
     if (!(cube.extent > 0.0)) continue;
     const int round_bits = static_cast<int>(std::bit_width(static_cast<unsigned>(job.rounds)));
-    const int wanted = static_cast<int>(std::bit_width(job.end - job.begin)) + 6;
-    const int bits = std::clamp(std::min(wanted + K - 1, rows.key_bits() - round_bits) / K, 1, 31);
+    const int bits = std::clamp((rows.key_bits() - round_bits) / K, 1, 31);
     for_chunks(job.begin, job.end, threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const Index row = rows.row(i);

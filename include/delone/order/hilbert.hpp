@@ -1,6 +1,6 @@
 // Position along Hilbert's curve, in any dimension.
 // Source: [Ham06] (compact formulas for the curve's states: an entry corner e and a direction d per level). Up to
-// dimension 3 the states are few, and a table that the compiler fills takes a level in one look-up.
+// dimension 3 the states are few, and a table that the compiler fills takes two or three levels in one look-up.
 #pragma once
 
 #include <array>
@@ -13,24 +13,21 @@ namespace delone {
 template <int K>
 class HilbertCurve {
   static constexpr unsigned kMask = (1U << K) - 1;
-  static constexpr bool kTabled = K <= 3;
+  /// Levels that one look-up takes.
+  static constexpr int kTabled = K == 2 ? 3 : (K == 3 ? 2 : 1);
 
  public:
   /// Distance along the curve of the grid point `x`, whose coordinates have `bits` bits each; K * bits <= 64.
   static std::uint64_t distance(const std::array<std::uint32_t, K>& x, int bits) {
     std::uint64_t h = 0;
-    State state{0, 0};
-    unsigned index = 0;
-    for (int level = bits - 1; level >= 0; --level) {
-      unsigned corner = 0;
-      for (std::size_t j = 0; j < K; ++j) corner |= ((x[j] >> level) & 1U) << j;
-      if constexpr (kTabled) {
-        const std::uint16_t step = kTable[index << K | corner];
-        h = h << K | (step & kMask);
-        index = step >> K;
-      } else {
-        h = h << K | advance(state, corner);
-      }
+    int level = bits;
+    if constexpr (K == 1 || K > 3) {
+      State state{0, 0};
+      while (--level >= 0) h = h << K | advance(state, corner(x, level));
+    } else {
+      unsigned index = 0;
+      for (; level % kTabled != 0; index = next(kTable<1>, index, h, x, level, 1)) --level;
+      for (; level != 0; index = next(kTable<kTabled>, index, h, x, level, kTabled)) level -= kTabled;
     }
     return h;
   }
@@ -62,18 +59,39 @@ class HilbertCurve {
     return w;
   }
 
-  static constexpr std::size_t kStates = kTabled ? (std::size_t{1} << K) * K : 1;
+  static constexpr unsigned corner(const std::array<std::uint32_t, K>& x, int level) {
+    unsigned corner = 0;
+    for (std::size_t j = 0; j < K; ++j) corner |= ((x[j] >> level) & 1U) << j;
+    return corner;
+  }
+
+  static constexpr unsigned kStates = K << K;
+
+  /// By state and the next `Levels` bits of each coordinate: the state after them above, their distance below.
+  template <int Levels>
   static constexpr auto kTable = [] {
-    std::array<std::uint16_t, kStates << K> table{};
-    if constexpr (kTabled) {
-      for (unsigned i = 0; i < table.size(); ++i) {
-        State s{(i >> K) / K, (i >> K) % K};
-        const unsigned w = advance(s, i & kMask);
-        table[i] = static_cast<std::uint16_t>((s.entry * K + s.direction) << K | w);
-      }
+    constexpr unsigned kBits = K * Levels;
+    std::array<std::uint16_t, kStates << kBits> table{};
+    for (unsigned i = 0; i < table.size(); ++i) {
+      State s{(i >> kBits) / K, (i >> kBits) % K};
+      std::array<std::uint32_t, K> x;
+      for (std::size_t j = 0; j < K; ++j) x[j] = i >> (static_cast<int>(j) * Levels);
+      unsigned h = 0;
+      for (int level = Levels - 1; level >= 0; --level) h = h << K | advance(s, corner(x, level));
+      table[i] = static_cast<std::uint16_t>((s.entry * K + s.direction) << kBits | h);
     }
     return table;
   }();
+
+  /// Looks up the bits of x from `level` on, lengthens h by them, and returns the state after them.
+  static unsigned next(const auto& table, unsigned state, std::uint64_t& h, const std::array<std::uint32_t, K>& x,
+                       int level, int levels) {
+    unsigned index = state;
+    for (std::size_t j = K; j-- > 0;) index = index << levels | ((x[j] >> level) & ((1U << levels) - 1));
+    const unsigned found = table[index];
+    h = h << (K * levels) | (found & ((1U << (K * levels)) - 1));
+    return found >> (K * levels);
+  }
 };
 
 }  // namespace delone
