@@ -1,18 +1,20 @@
 #include "delone/geometry/sites.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <utility>
-
-#include "exact/integer.hpp"
 
 namespace delone {
 namespace {
 
 /// The largest e such that x is an integer times 2^e; of zero, more than any other has.
 int trailing_exponent(double x) {
-  const exact::Scaled scaled = exact::decompose(x);
-  return scaled.mantissa == 0 ? 2048 : scaled.exponent;
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const int field = static_cast<int>(bits >> 52 & 0x7FF);
+  const int zeros = std::countr_zero(bits | std::uint64_t{1} << 52);
+  return x == 0.0 ? 2048 : std::max(field, 1) - 1075 + zeros;
 }
 
 }  // namespace
