@@ -16,7 +16,7 @@ void* reallocate_block(void* block, std::size_t count, std::size_t element_size)
   if (moved == nullptr) throw std::bad_alloc();
 #ifdef __linux__
   constexpr std::size_t kHugePage = std::size_t{1} << 21;
-  if (bytes >= 4 * kHugePage) {
+  if (bytes >= 2 * kHugePage) {
     const auto address = reinterpret_cast<std::uintptr_t>(moved);
     const std::size_t skip = (kHugePage - address % kHugePage) % kHugePage;
     // Advice only: where it is not taken, pages stay small.
