@@ -20,7 +20,7 @@ int main() {
   }
 
   const std::vector<std::array<double, 2>> batch{{2, 3}, {3, 2}, {2, 1}};
-  delone::insert(t, delone::PointsView(std::span(batch)));
+  delone::insert(t, batch);
   const std::vector<double> all = t.coordinates();
   const auto at_once = delone::build(delone::PointsView(all, 2));
   std::cout << t.cell_count() << " cells, the same as built at once: "

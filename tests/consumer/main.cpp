@@ -7,7 +7,7 @@
 
 int main() {
   const std::vector<std::array<double, 2>> points{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}};
-  const auto t = delone::build(delone::PointsView(std::span(points)));
+  const auto t = delone::build(points);
   std::printf("%zu vertices, %zu cells\n", t.vertex_count(), t.cell_count());
   return t.vertex_count() == 5 && t.cell_count() == 4 ? 0 : 1;
 }

@@ -38,6 +38,7 @@ TEST(PointsView, rows_are_read_in_place) {
   const std::vector<std::array<double, 2>> pairs{{1, 2}, {3, 4}};
   EXPECT_EQ(PointsView(std::span(pairs)).dimension(), 2);
   EXPECT_EQ(PointsView(std::span(pairs))[1][1], 4.0);
+  EXPECT_EQ(PointsView(pairs)[1][0], 3.0);
   EXPECT_TRUE(PointsView().empty());
 }
 

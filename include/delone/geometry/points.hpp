@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "delone/base/errors.hpp"
 
@@ -22,6 +23,10 @@ class PointsView {
   PointsView(std::span<const std::array<double, D>> points, std::span<const double> weights = {})
       : PointsView(std::span(points.empty() ? nullptr : points.front().data(), points.size() * D), static_cast<int>(D),
                    weights) {}
+
+  template <std::size_t D>
+  PointsView(const std::vector<std::array<double, D>>& points, std::span<const double> weights = {})
+      : PointsView(std::span<const std::array<double, D>>(points), weights) {}
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
