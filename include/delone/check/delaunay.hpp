@@ -1,5 +1,6 @@
-// Is this list of cells a Delaunay (regular) triangulation of these points? Decided by exact integers only: nothing here
-// shares a filter, a predicate stage or a data structure with the engine, so that a bug there cannot vouch for itself.
+// Is this list of cells a Delaunay (regular) triangulation of these points? Decided by exact integers only: nothing
+// here shares a filter, a predicate stage or a data structure with the engine, so that a bug there cannot vouch for
+// itself.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@
 namespace delone {
 
 struct CheckOptions {
-  bool canonical = false;        ///< also demand Delone's own choice among cospherical ties
+  bool canonical = false;  ///< also demand Delone's own choice among cospherical ties
   int threads = 1;
   std::size_t max_violations = 10;  ///< how many violations are put into words
 };
