@@ -138,6 +138,13 @@ class Kernel {
   }
   Hyperplane<K> hyperplane(const Cell& cell) const;
 
+  /// On the leading axes, rounded.
+  double squared_distance(VertexId a, VertexId b) const {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < kCoordinates; ++j) sum += (at(a)[j] - at(b)[j]) * (at(a)[j] - at(b)[j]);
+    return sum;
+  }
+
   /// Lexicographic order of two sites; equal only at the same place.
   bool before(VertexId a, VertexId b) const {
     for (std::size_t j = 0; j < kCoordinates; ++j) {

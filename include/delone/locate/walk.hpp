@@ -3,7 +3,9 @@
 // hull. It is bounded all the same, and past the bound every cell is looked at.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "delone/geometry/kernel.hpp"
 #include "delone/topology/complex.hpp"
@@ -38,12 +40,47 @@ CellId exhaustive_locate(const ComplexView<K>& complex, Kernel<K>& kernel, Verte
   return kNoCell;
 }
 
+struct Outside {
+  CellId cell;
+  bool arrived;  ///< q lies strictly beyond its facet
+};
+
+/// From ghost cell c a few steps along the hull towards q, each across the ridge opposite the vertex farthest from q.
+/// A shortcut for points in convex position, where the way through the inside leads round long fans.
+template <int K>
+Outside walk_outside(const ComplexView<K>& complex, Kernel<K>& kernel, VertexId q, CellId c) {
+  constexpr int kSteps = 8;
+  CellId last = kNoCell;
+  for (int step = 0; step < kSteps; ++step) {
+    auto v = complex.vertices(c);
+    const int ghost = complex.ghost_slot(c);
+    int farthest = ghost;
+    double distance = -1.0;
+    for (int i = 0; i <= K; ++i) {
+      if (i == ghost) continue;
+      const double d = kernel.squared_distance(v[static_cast<std::size_t>(i)], q);
+      farthest = d > distance ? i : farthest;
+      distance = std::max(d, distance);
+    }
+    v[static_cast<std::size_t>(ghost)] = q;
+    if (kernel.orient(v) > 0) return {c, true};
+    const CellId next = complex.cell(complex.twin(c, farthest));
+    if (next == last) break;
+    last = std::exchange(c, next);
+  }
+  return {c, false};
+}
+
 /// The closed cell that contains q: finite if q lies in the hull, else a ghost cell whose facet q lies strictly beyond.
 /// @param start  any live cell; a near one is fast
 template <int K>
 CellId walk(const ComplexView<K>& complex, Kernel<K>& kernel, VertexId q, CellId start, WalkStats& stats) {
   CellId c = start;
-  if (const int ghost = complex.ghost_slot(c); ghost >= 0) c = complex.cell(complex.twin(c, ghost));
+  if (complex.is_ghost(c)) {
+    const Outside outside = walk_outside(complex, kernel, q, c);
+    if (outside.arrived) return outside.cell;
+    c = complex.cell(complex.twin(outside.cell, complex.ghost_slot(outside.cell)));
+  }
   int entered = -1;  // the facet that the walk came through: q lies on this side of it
   for (std::uint64_t left = 16 + 4 * static_cast<std::uint64_t>(complex.slot_count()); left != 0; --left) {
     const int leave = kernel.separating_slot(complex.vertices(c), q, entered);

@@ -89,7 +89,8 @@ class Inserter {
     for (const FacetId f : scratch_->cavity) complex_.destroy(complex_.cell(f));
     clean_marks();
     mesh_->statistics.cells_created += scratch_->created.size();
-    last_ = scratch_->created.front();
+    const CellId outside = complex_.incident_cell(kGhost);
+    last_ = complex_.has(outside, q) ? outside : scratch_->created.front();  // the next may lie outside, too
   }
 
   void clean_marks() {

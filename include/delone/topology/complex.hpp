@@ -105,6 +105,11 @@ class ComplexView {
   }
   VertexId vertex(FacetId f) const { return VertexId{complex_->ids_[place(f)]}; }
   FacetId twin(FacetId f) const { return FacetId{complex_->ids_[place(f) + kCorners]}; }
+  bool has(CellId c, VertexId v) const {
+    bool found = false;
+    for (int i = 0; i <= K; ++i) found |= vertex(c, i) == v;
+    return found;
+  }
   /// The slot of a vertex that `c` has. Without a branch on where it stands, which nobody can predict.
   int slot_of(CellId c, VertexId v) const {
     int slot = 0;
