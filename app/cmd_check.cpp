@@ -71,7 +71,7 @@ void add_check(CLI::App& app, Command& chosen) {
   add_point_input(*command, options->input, "POINTS");
   command
       ->add_option("CELLS", options->cells,
-                   "Cells as rows of zero-based ids (.cells, .csv, .npy), or .ele, .vtu, .ply, .off or .obj")
+                   "Cells as rows of zero-based ids (.cells, .csv, .npy), or .ele, .vtu, .ply, .off, .obj or .geojson")
       ->required()
       ->option_text(" ");
   command->add_option("--cells-format", options->cells_format, "Read CELLS as this format, whatever its extension")
