@@ -215,9 +215,6 @@ SlowSign slow_conflict(const SiteRefs<K, K + 2>& s) {
     return {sign, needed < 127 ? Stage::adaptive : Stage::exact};
   }
 
-  if (s.short_integers) {
-    if (const int sign = double_double_conflict<K>(s); sign != 0) return {sign, Stage::adaptive};
-  }
   Matrix<K + 1, BigInt> m;
   for (std::size_t i = 0; i < size(K + 1); ++i) {
     BigInt lift = 0;

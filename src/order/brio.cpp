@@ -104,7 +104,7 @@ void for_chunks(std::size_t begin, std::size_t end, int threads, Work work) {
 
 template <int K>
 void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& rows, int rounds, int threads) {
-  constexpr std::size_t kCrowd = 3;  // fewer points than this in one grid cell may stay as they are
+  constexpr std::size_t kCrowd = 3;  // up to this many points in one grid cell may stay as they are
   struct Job {
     std::size_t begin, end;
     int rounds;

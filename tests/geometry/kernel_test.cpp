@@ -271,6 +271,74 @@ void expect_filter_agrees(int trials) {
   EXPECT_LT(kept_unsure, static_cast<std::uint64_t>(trials - trials / 20));  // it is of use
 }
 
+/// The filters' signs of the last point against the cell of those before it, where they are certain.
+template <int K>
+void expect_no_contradiction(const Sites& sites) {
+  const Kernel<K> kernel(sites);
+  auto cell = first_cell<K>();
+  const int orient = kernel.exact_orient(cell);
+  if (orient == 0) return;
+  if (orient < 0) std::swap(cell[0], cell[1]);
+  const VertexId q{K + 1};
+  const int truth = kernel.slow_conflict_sign(cell, q).sign;
+  for (const int sign : {kernel.filtered_conflict(cell, q), kernel.conflict_sign_by_permanent(cell, q),
+                         kernel.filtered_conflict(kernel.hyperplane(cell), cell[0], q)}) {
+    ASSERT_TRUE(sign == Kernel<K>::kUnsure || sign == truth);
+  }
+}
+
+TEST(Filter, never_contradicts_integers_where_heights_are_large_and_differences_tiny) {
+  Random random(11);
+  const double tiny = 0x1p-182;
+  for (int trial = 0; trial < 3000; ++trial) {
+    // In 4D on the flat where the last coordinate is 2^279 times the first; in 3D with weights close to a plane.
+    std::vector<double> in_flat, in_space, weights;
+    for (int i = 0; i < 5; ++i) {
+      const double x = tiny * test::unit_random(random);
+      const double y = tiny * test::unit_random(random);
+      const double z = tiny * test::unit_random(random);
+      in_flat.insert(in_flat.end(), {x, y, z, x * 0x1p279});
+      in_space.insert(in_space.end(), {x, y, z});
+      weights.push_back((x + 2 * y - z) * 0x1p382);
+    }
+    expect_no_contradiction<3>(sites_of<3>(in_flat, {}, 4));
+    expect_no_contradiction<3>(sites_of<3>(in_space, weights));
+    in_flat.resize(16);
+    expect_no_contradiction<2>(sites_of<2>(in_flat, {}, 4));
+  }
+}
+
+/// Two rows whose products underflow, the others as large as filters take.
+template <int K>
+void expect_no_contradiction_of_unlike_rows(int trials) {
+  Random random(K);
+  for (int trial = 0; trial < trials; ++trial) {
+    std::vector<double> points;
+    for (int i = 0; i < K + 1; ++i) {
+      const double scale = i < 3 ? 0x1p-535 : 0x1p96;
+      for (int j = 0; j < K; ++j) points.push_back(scale * (static_cast<double>(random() % 7) - 3.0));
+    }
+    points.insert(points.end(), K, 0.0);
+    expect_no_contradiction<K>(sites_of<K>(points));
+  }
+}
+
+TEST(Filter, never_contradicts_integers_where_minors_underflow) {
+  const double t = 0x1p-358;
+  const double b = 0x1p97;
+  std::vector<double> points(10 * 8, 0.0);
+  points[0] = t, points[1] = -t;
+  points[9] = t, points[10] = -t;
+  points[16] = points[17] = 0.625 * t, points[18] = -1.375 * t;
+  for (std::size_t i = 3; i < 8; ++i) points[8 * i + i] = b;
+  points[8 * 8 + 3] = 2 * b;
+  expect_no_contradiction<8>(sites_of<8>(points));
+  expect_no_contradiction_of_unlike_rows<4>(500);
+  expect_no_contradiction_of_unlike_rows<6>(300);
+  expect_no_contradiction_of_unlike_rows<7>(300);
+  expect_no_contradiction_of_unlike_rows<8>(100);
+}
+
 TEST(Filter, never_contradicts_integers_on_points_that_just_miss_a_lattice) {
   expect_filter_agrees<1>(30000);
   expect_filter_agrees<2>(100000);

@@ -97,6 +97,26 @@ TEST(Allocation, inserting_a_point_survives_the_failure_of_each) {
   EXPECT_GT(failures, 1000U);
 }
 
+TEST(Allocation, inserting_a_point_that_somebody_listens_to_survives_the_failure_of_each) {
+  std::size_t failures = 0;
+  for (const PointSet& points : some_families(3)) {
+    SCOPED_TRACE(points.name);
+    AnyTriangulation t(3, !points.weights.empty());
+    std::size_t heard = 0;
+    InsertOptions options;
+    options.on_edit = [&heard](const Edit& edit) { heard += edit.removed.size() + edit.created.size(); };
+    for (std::size_t row = 0; row < points.size(); ++row) {
+      const auto change = [&](AnyTriangulation& changed) {
+        insert(changed, points.view()[row], points.view().weight(row), options);
+      };
+      failures += fail_every_allocation(t, change);
+      change(t);
+    }
+    if (t.affine_dimension() == 3) EXPECT_GT(heard, 0U);
+  }
+  EXPECT_GT(failures, 200U);
+}
+
 TEST(Allocation, inserting_a_batch_survives_the_failure_of_each) {
   std::size_t failures = 0;
   for (int dimension = 1; dimension <= 4; ++dimension) {

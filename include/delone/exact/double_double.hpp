@@ -1,9 +1,9 @@
 // Numbers of about 106 bits as the unevaluated sum of two doubles: the cheap and strong middle stage between plain
 // doubles and big integers. Source: [Shewchuk97] section 2 for the transformations; the operations are the "sloppy" sum
-// and the product of [JMP17] (algorithms 5 and 11). With u = 2^-53 and without over- or underflow a product is off by
-// at most 5 u^2 of itself ([JMP17] theorem 5.3), and a sum of a and b by at most 6 u^2 (|a| + |b|): the sum of the low
-// parts rounds by u (u |a| + u |b|), adding it to the error of the sum of the high parts by 2 u^2 (|a| + |b|), and the
-// last step, when the high parts cancel, by as much again.
+// and the first product of [JMP17] (algorithms 5 and 10). With u = 2^-53 and without over- or underflow a product is
+// off by at most 7 u^2 of itself ([JMP17] theorem 5.1), and a sum of a and b by at most 6 u^2 (|a| + |b|): the sum of
+// the low parts rounds by u (u |a| + u |b|), adding it to the error of the sum of the high parts by 2 u^2 (|a| + |b|),
+// and the last step, when the high parts cancel, by as much again.
 #pragma once
 
 #include "delone/exact/eft.hpp"

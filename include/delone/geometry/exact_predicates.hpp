@@ -2,8 +2,8 @@
 //
 // Stages, each a proof or a pass to the next:
 //   adaptive  128-bit integers where the differences of the points are short enough over their common power of two
-//   (integers,
-//             lattices, grids with binary steps), else double-doubles with an error bound;
+//             (integers, lattices, grids with binary steps); before them, where numbers are longer, double-doubles with
+//             an error bound;
 //   exact     integers as wide as the differences need, for every finite double of any exponent.
 // A determinant of differences over a common power of two is a determinant of integers: no expansions are needed.
 #pragma once

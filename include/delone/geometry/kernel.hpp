@@ -1,17 +1,18 @@
 // The kernel answers signs about sites and knows nothing about cells' links: filter, then the slow stages, then the tie
 // rule.
 //
-//   orient(v0 .. vK)      sign of det(v1 - v0, ..., vK - v0); exact, never perturbed: no flat cell can appear
-//   conflict(cell, q)     is the lifted q below the lifted hyperplane of a positive cell; never undecided, since ties
-//   are
-//                         broken by lowering heights (perturb.hpp)
+//   orient(v0 .. vK)    sign of det(v1 - v0, ..., vK - v0); exact, never perturbed: no flat cell can appear
+//   conflict(cell, q)   is the lifted q below the lifted hyperplane of a positive cell; never undecided, since ties are
+//                       broken by lowering heights (perturb.hpp)
+//
 // Error bounds, u = 2^-53. Differences to a common vertex carry one rounding each; [Shewchuk97] section 4 bounds the
 // error of the determinants as written below by (3 + 16u)u, (7 + 56u)u, (10 + 96u)u, (16 + 224u)u times the permanent,
 // for orient 2D and 3D, incircle and insphere. With S the largest squared length of the differences, every permanent of
 // three unit rows is at most 3!/3^(3/2) < 1.155 [CLL06] and of two at most 1, so the permanent of insphere is at most
 // 4 * 1.155 S^(5/2), that of incircle 3 S^2: bounds that cost one comparison. A weight difference of size W adds at
 // most W to the S of one lift.
-// What underflows is off by less than 2^-1074 times its other factors, which a small number added to a bound covers.
+// What underflows is off by less than 2^-1074 times its other factors, which a small number added to a bound covers. It
+// is added to S, too, since heights may be large where differences are tiny.
 #pragma once
 
 #include <algorithm>
@@ -45,23 +46,21 @@ namespace filter {
 
 inline constexpr int kUnsure = 2;
 inline constexpr double kU = 0x1p-53;
-/// Coordinates up to here: partial products of differences stay below 2^900, so that what underflows stays far below
-/// every bound that passes the checks on its size.
+/// Coordinates up to here: products of eight differences and a lift stay below 2^1001.
 inline constexpr double kLargest = 0x1p99;
-/// Below this, products of five differences may underflow and bounds lose their meaning.
-inline constexpr double kSmallestSquare = 0x1p-180;
 
 inline int sign_beyond(double value, double bound) { return value > bound ? 1 : (value < -bound ? -1 : kUnsure); }
 
 /// On coordinates that are integers times 2^unit all terms of a determinant of `degree` factors are integers times
 /// 2^(unit degree): while their sum stays below 2^53 of these, doubles hold every one, and a zero is a zero. So
-/// lattices never leave the filter.
+/// lattices never leave the filter in 2D and 3D.
 inline double exact_below(int unit, int degree) {
   const int exponent = unit * degree + 53;
   return exponent > -900 && exponent < 900 ? std::ldexp(1.0, exponent) : 0.0;
 }
 
-/// The same for the `size` of an estimate: the permanent, or its square in 3D, where that needs no root.
+/// The same for the `size` of an estimate: in 2D a bound on the permanent, in 3D the square of S^(3/2) H, of which the
+/// permanent is less than 4.8 times the root.
 template <int K>
 double conflict_exact_below(int unit) {
   if constexpr (K == 2) return exact_below(unit, 4);
@@ -69,13 +68,13 @@ double conflict_exact_below(int unit) {
     const double below = exact_below(unit, 5) / (4.0 * 1.2);
     return below > 0x1p-400 && below < 0x1p400 ? below * below : 0.0;
   }
-  return 0.0;  // not used
+  return 0.0;  // never: sizes are infinite
 }
 
-/// Roundings of the lifted determinant as written for K = 1, 2, 3. A lift that also sums other coordinates and a weight
+/// Roundings of the lifted determinant as written for K = 2 and 3. A lift that also sums other coordinates and a weight
 /// carries for each of the former a difference taken twice, a square and a sum, and for the latter two more: since all
 /// these share their place with the squares already counted, two for each and four in all cover them.
-constexpr double conflict_roundings(int k) { return k == 1 ? 16.0 : (k == 2 ? 10.1 : 16.1); }
+constexpr double conflict_roundings(int k) { return k == 2 ? 10.1 : 16.1; }
 
 inline int exact_sign(double value) { return value > 0.0 ? 1 : (value < 0.0 ? -1 : 0); }
 
@@ -161,6 +160,7 @@ class Kernel {
   int filtered_conflict(const Hyperplane<K>& plane, VertexId origin, VertexId q) const {
     return sign(estimate(plane, origin, q));
   }
+  int conflict_sign_by_permanent(const Cell& cell, VertexId q) const { return sign(estimate_by_permanent(cell, q)); }
   [[gnu::noinline]] int exact_orient(const Cell& v) const;
   SlowSign slow_conflict_sign(const Cell& cell, VertexId q) const;
 
@@ -180,8 +180,7 @@ class Kernel {
   Sides sides(const Cell& cell, VertexId q) const requires(K == 2 || K == 3);
 
   /// The lifted determinant, positive when q is in conflict, or what has its sign. Sure when its error is smaller; free
-  /// of any error when `size`, which bounds the determinant's permanent or its square, lies below
-  /// conflict_exact_below_.
+  /// of any error when `size` lies below conflict_exact_below_ (see there).
   struct Estimate {
     double value, size;
     bool sure;
@@ -343,7 +342,8 @@ template <int K>
     const Pair terms = turned(l1, l0) * abc + turned(l0, l1) * cda;
     const double value = terms[1] - terms[0];
     // |value| > c (S + W) S^(3/2), squared on both sides: no root.
-    const double size = (square * square * square) * (height * height);
+    const double s = square + 0x1p-300;
+    const double size = (s * s * s) * (height * height);
     const double c2 = (4 * 1.155 * conflict_bound_) * (4 * 1.155 * conflict_bound_) * (1 + 0x1p-40);
     return {value, size, tame_ && value * value > c2 * size + 0x1p-895};
   } else {
@@ -375,14 +375,16 @@ typename Kernel<K>::Estimate Kernel<K>::estimate_by_permanent(const Cell& cell, 
   }
   const double value = K % 2 == 0 ? determinant<K + 1>(m) : -determinant<K + 1>(m);
   const double permanent = absolute_permanent<K + 1>(sizes);
-  const bool safe = tame_ && height < 0x1p200 && permanent > 0x1p-400 && permanent < 0x1p900;
+  // A minor that underflows is off by 2^-1075, and its cofactor below 2^(100 (K - 2) + 200): less than the bound.
+  constexpr double kSmallest = K <= 6 ? 0x1p-400 : (K == 7 ? 0x1p-300 : 0x1p-200);
+  const bool safe = tame_ && height < 0x1p200 && permanent > kSmallest && permanent < 0x1p900;
   return {value, std::numeric_limits<double>::infinity(), safe && std::abs(value) > kBound * permanent};
 }
 
 template <int K>
 [[gnu::always_inline]] inline typename Kernel<K>::Sides Kernel<K>::sides(const Cell& cell, VertexId q) const
     requires(K == 2 || K == 3) {
-  const double none = tame_ ? 0x1p-1000 : std::numeric_limits<double>::infinity();
+  const double slack = tame_ ? 0x1p-1000 : std::numeric_limits<double>::infinity();
   if constexpr (K == 2) {
     const Pair origin = load_pair(at(q));
     const Pair a = load_pair(at(cell[0])) - origin;
@@ -390,12 +392,12 @@ template <int K>
     const Pair c = load_pair(at(cell[2])) - origin;
     const Pair squares = larger(larger(a * a, b * b), c * c);
     return {{b[0] * c[1] - b[1] * c[0], c[0] * a[1] - c[1] * a[0], a[0] * b[1] - a[1] * b[0]},
-            3.1 * filter::kU * (squares[0] + squares[1]) + none};
+            3.1 * filter::kU * (squares[0] + squares[1]) + slack};
   } else {
     const auto [abc, cda, ab_squares, cd_squares] = seen_from(cell, q);
     const Pair squares = larger(ab_squares, cd_squares);
     const double square = std::max(squares[0], squares[1]);
-    return {{abc[1], -cda[0], cda[1], -abc[0]}, 8.3 * filter::kU * square * std::sqrt(square) + none};
+    return {{abc[1], -cda[0], cda[1], -abc[0]}, 8.3 * filter::kU * square * std::sqrt(square) + slack};
   }
 }
 
@@ -406,10 +408,10 @@ template <int K>
     const auto [side, bound] = sides(cell, q);
     std::size_t lowest = 0;
     for (std::size_t i = 1; i <= kCoordinates; ++i) lowest = side[i] < side[lowest] ? i : lowest;
-    ++stats_.orient_filter;
-    if (side[lowest] < -bound) return static_cast<int>(lowest);
-    if (side[lowest] > bound) [[likely]]
-      return -1;
+    if (side[lowest] < -bound || side[lowest] > bound) [[likely]] {
+      ++stats_.orient_filter;
+      return side[lowest] < 0.0 ? static_cast<int>(lowest) : -1;
+    }
     for (std::size_t i = 0; i <= kCoordinates; ++i) open[i] = !(side[i] > bound);
   } else {
     open.fill(true);
@@ -510,8 +512,7 @@ template <int K>
   }
   value = -(value + plane.height * lift);
   const double bound = plane.tilt_error * length + plane.height_error * size;
-  return {value, std::numeric_limits<double>::infinity(),
-          size > filter::kSmallestSquare && size < 0x1p190 && std::abs(value) > bound};
+  return {value, std::numeric_limits<double>::infinity(), size > 0x1p-180 && size < 0x1p190 && std::abs(value) > bound};
 }
 
 template <int K>

@@ -1,8 +1,6 @@
-// The conflict region of a vertex to be inserted, and the star that fills it, in any dimension.
+// The conflict region of a vertex to be inserted, in any dimension.
 // Source: [For92] 4.3 (incremental, beneath-beyond); the region is a ball (I5), so a search from one of its cells finds
-// it. Departure: the facets of the star are linked by turning about the ridges of the cavity's boundary inside the old
-// cells, each ridge once, without a table of facets. Cost: O(K * cells removed and created); no allocation after
-// warm-up.
+// it. Cost: O(K * cells in it and around it); no allocation after warm-up.
 #pragma once
 
 #include <cmath>

@@ -59,6 +59,7 @@ class Inserter {
   /// A live cell close to the last insertion.
   CellId last_cell() const { return last_; }
   /// What the last insertion changed, if its outcome was `inserted`; valid until the next.
+  /// Cannot fail: room has been made.
   Edit edit(VertexId q) {
     auto& removed = scratch_->removed;
     removed.resize(scratch_->cavity.size());

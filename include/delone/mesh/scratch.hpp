@@ -45,9 +45,10 @@ struct Scratch {
     planes.resize(marks.capacity() * plane_size(k), std::numeric_limits<double>::quiet_NaN());
     marks.resize(marks.capacity(), Mark::none);
   }
-  /// Room for a star beside the cavity just found.
+  /// Room for a star beside the cavity just found, and for telling of both.
   void prepare_star(int dimension, std::size_t slots, std::size_t vertices) {
     created.resize(boundary.size());
+    removed.reserve(cavity.size());
     if (dimension == 3 && edges.number.size() <= vertices) edges.number.resize(vertices + vertices / 2 + 1, 0);
     reserve_cells(dimension, slots + boundary.size());
   }
