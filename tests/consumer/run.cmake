@@ -12,7 +12,7 @@ if(EXISTS ${WORK}/prefix/include/delone/io)
   message(FATAL_ERROR "the installed library must not carry headers of delone_io")
 endif()
 
-foreach(compiler g++ clang++-14)
+foreach(compiler g++ clang++-19)
   find_program(found_${compiler} ${compiler})
   if(NOT found_${compiler})
     message(STATUS "${compiler} is not installed: left out")
