@@ -97,11 +97,10 @@ PointTable read_ply_points(const Source& source, const ReadOptions& options) {
 }
 
 CellTable read_ply_cells(const Source& source, std::size_t point_count) {
-  auto elements = parse_ply(
+  const auto elements = parse_ply(
       source, [](const PlyElement& element) { return rank_of_cells(element) >= 0; }, is_corner_list);
-  std::ranges::stable_sort(elements, std::greater(), rank_of_cells);
   if (elements.empty()) complain(source.name(), "expected an element face, cell or edge, found none");
-  const PlyElement& element = elements.front();
+  const PlyElement& element = *std::ranges::max_element(elements, {}, rank_of_cells);
   CellRows cells(point_count);
   std::vector<double> ids = element.list_items;
   std::vector<std::size_t> ends = element.list_ends;
