@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "delone/base/assert.hpp"
 #include "delone/base/buffer.hpp"
 #include "delone/base/dispatch.hpp"
 #include "delone/base/random.hpp"
@@ -117,6 +118,7 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
     if (!(cube.extent > 0.0)) continue;
     const int round_bits = static_cast<int>(std::bit_width(static_cast<unsigned>(job.rounds)));
     const int bits = std::clamp((rows.key_bits() - round_bits) / K, 1, 31);
+    DELONE_ASSERT(bits * K + round_bits <= 64, "a key fits into its word");
     for_chunks(job.begin, job.end, threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const Index row = rows.row(i);

@@ -242,7 +242,7 @@ template <int K>
     const double size = absolute_permanent<K>(m);
     if (size < exact_below) return exact_sign(value);
     if (!(size > 0x1p-400 && size < 0x1p400)) return kUnsure;
-    return sign_beyond(value, (K == 3 ? 7.1 : 2.1 * K + K * (K + 1) / 2) * kU * size);
+    return sign_beyond(value, (K == 3 ? 7.1 : 2.1 * K + 0.5 * K * (K + 1)) * kU * size);
   }
 }
 
@@ -355,7 +355,7 @@ template <int K>
 // products and at most (K + 1) K / 2 sums.
 template <int K>
 typename Kernel<K>::Estimate Kernel<K>::estimate_by_permanent(const Cell& cell, VertexId q) const {
-  constexpr double kBound = 1.01 * filter::kU * (K + (K + kMaxDimension + 4) + K + (K + 1) * K / 2);
+  constexpr double kBound = 1.01 * filter::kU * (K + (K + kMaxDimension + 4) + K + 0.5 * K * (K + 1));
   const double* origin = at(q);
   Matrix<K + 1, double> m;
   Matrix<K + 1, double> sizes;
@@ -450,7 +450,7 @@ template <int K>
 template <int K>
 Hyperplane<K> Kernel<K>::hyperplane(const Cell& cell) const {
   constexpr int kLiftRoundings = K + kMaxDimension + 4;
-  constexpr double kBound = 1.01 * filter::kU * (K * (K + 1) / 2 + K + kLiftRoundings + K + 3 + kLiftRoundings);
+  constexpr double kBound = 1.01 * filter::kU * (0.5 * K * (K + 1) + K + kLiftRoundings + K + 3 + kLiftRoundings);
   const double* origin = at(cell[0]);
   std::array<std::array<double, K + 1>, K> rows;
   std::array<double, K + 1> maxima{};

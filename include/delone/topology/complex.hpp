@@ -127,7 +127,7 @@ class ComplexView {
   }
   bool is_ghost(CellId c) const { return ghost_slot(c) >= 0; }
   bool is_live(CellId c) const { return *base(c) != Complex::kDead; }
-  std::size_t slot_count() const { return complex_->ids_.size() / (2 * kCorners); }
+  std::size_t slot_count() const { return complex_->ids_.size() / (2 * std::size_t{kCorners}); }
   CellId incident_cell(VertexId v) const { return complex_->incident_cell(v); }
   bool has_vertex(VertexId v) const { return incident_cell(v) != kNoCell; }
 
