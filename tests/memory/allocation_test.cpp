@@ -112,7 +112,7 @@ TEST(Allocation, inserting_a_point_that_somebody_listens_to_survives_the_failure
       failures += fail_every_allocation(t, change);
       change(t);
     }
-    if (t.affine_dimension() == 3) EXPECT_GT(heard, 0U);
+    EXPECT_TRUE(heard > 0 || t.affine_dimension() < 3);
   }
   EXPECT_GT(failures, 200U);
 }
