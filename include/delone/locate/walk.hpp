@@ -49,7 +49,7 @@ struct Outside {
 /// A shortcut for points in convex position, where the way through the inside leads round long fans.
 template <int K>
 Outside walk_outside(const ComplexView<K>& complex, Kernel<K>& kernel, VertexId q, CellId c) {
-  constexpr int kSteps = 8;
+  constexpr int kSteps = K == 2 ? 256 : 8;  // in the plane they lead straight, above they may circle
   CellId last = kNoCell;
   for (int step = 0; step < kSteps; ++step) {
     auto v = complex.vertices(c);
