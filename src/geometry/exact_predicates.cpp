@@ -144,7 +144,7 @@ SlowSign slow_orient(const std::array<const double*, static_cast<std::size_t>(K 
       }
     }
     const int needed = K * longest + determinant_slack(K);
-    const int sign = with_integer(needed, [&](auto zero) { return sign_of_differences<K, decltype(zero)>(x); });
+    const int sign = with_integer(needed, [&]<class Int>(Int) { return sign_of_differences<K, Int>(x); });
     return {sign, needed < 127 ? Stage::adaptive : Stage::exact};
   }
   std::array<std::array<BigInt, size(K)>, size(K + 1)> x;
@@ -195,8 +195,7 @@ SlowSign slow_conflict(const SiteRefs<K, K + 2>& s) {
     if (needed >= 127 && s.short_integers) {
       if (const int sign = double_double_conflict<K>(s); sign != 0) return {sign, Stage::adaptive};
     }
-    const int sign = with_integer(needed, [&](auto zero) {
-      using Int = decltype(zero);
+    const int sign = with_integer(needed, [&]<class Int>(Int) {
       Matrix<K + 1, Int> m;
       for (std::size_t i = 0; i < size(K + 1); ++i) {
         Int lift = 0;

@@ -83,7 +83,7 @@ struct Cube {
     const auto cells = static_cast<double>(std::uint64_t{1} << bits);
     for (std::size_t j = 0; j < K; ++j) {
       const double share = (point[static_cast<std::size_t>(axes[j])] * 0.5 - low[j]) / extent;  // 0 to 1
-      cell[j] = static_cast<std::uint32_t>(static_cast<std::int64_t>(std::min(share * cells, cells - 1.0)));
+      cell[j] = static_cast<std::uint32_t>(std::min(share * cells, cells - 1.0));
     }
     return HilbertCurve<K>::distance(cell, bits);
   }
@@ -118,7 +118,7 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
     if (!(cube.extent > 0.0)) continue;
     const int round_bits = static_cast<int>(std::bit_width(static_cast<unsigned>(job.rounds)));
     const int bits = std::clamp((rows.key_bits() - round_bits) / K, 1, 31);
-    DELONE_ASSERT(bits * K + round_bits <= 64, "a key fits into its word");
+    DELONE_ASSERT(bits * K + round_bits <= rows.key_bits(), "a key fits beside its row");
     for_chunks(job.begin, job.end, threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const Index row = rows.row(i);

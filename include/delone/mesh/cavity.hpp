@@ -61,9 +61,10 @@ template <int K, class Below>
 template <int K>
 [[gnu::always_inline]] inline bool in_conflict(const ComplexView<K>& complex, Kernel<K>& kernel, Scratch& scratch,
                                                CellId c, VertexId q) {
-  return in_conflict(
-      complex, kernel, c,
-      q, [&](CellId f) __attribute__((always_inline)) { return below_hyperplane(complex, kernel, scratch, f, q); });
+  const auto below = [&](CellId f) __attribute__((always_inline)) {
+    return below_hyperplane(complex, kernel, scratch, f, q);
+  };
+  return in_conflict(complex, kernel, c, q, below);
 }
 
 /// Asks memory for what tests of the neighbours of c will read.

@@ -12,7 +12,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <utility>
 
 #include "delone/mesh/scratch.hpp"
 #include "delone/topology/complex.hpp"
