@@ -83,7 +83,7 @@ Outcome insert_last(Mesh& mesh, const InsertOptions& options) {
   Inserter<K> inserter(mesh);
   const CellId start = options.near == kNoCell ? mesh.complex.incident_cell(kGhost) : options.near;
   const Outcome outcome = inserter.insert(q, start);
-  if (outcome == Outcome::inserted && options.on_edit) options.on_edit(inserter.edit(q));
+  if (outcome == Outcome::inserted && options.on_edit) options.on_edit(inserter.edit());
   return outcome;
 }
 
@@ -102,7 +102,7 @@ Inserted insert(AnyTriangulation& t, std::span<const double> point, double weigh
   if (t.affine_dimension() < 0 || leave_flat(t, one)) {
     AnyTriangulation anew = build_anew(t, one, {});
     std::swap(t, anew);
-    if (options.on_edit) options.on_edit({.vertex = t.vertex(row), .removed = {}, .created = {}, .rebuilt = true});
+    if (options.on_edit) options.on_edit({.rebuilt = true});
     return {row, outcome_of(t.status(row))};
   }
   Mesh& mesh = t.mesh();

@@ -19,6 +19,17 @@ int trailing_exponent(double x) {
 
 }  // namespace
 
+void NumberRange::include(std::span<const double> coordinates) {
+  for (const double x : coordinates) {
+    magnitude = std::max(magnitude, std::abs(x));
+    unit = std::min(unit, trailing_exponent(x));
+  }
+}
+
+void NumberRange::include_weight(double weight) {
+  unit = std::min(unit, trailing_exponent(weight) >> 1);  // rounded down
+}
+
 Sites::Sites(int dimension, bool weighted, Flat flat)
     : dimension_(dimension), weighted_(weighted), flat_(flat), leading_count_(std::max(flat.dimension, 0)) {
   const auto k = static_cast<std::size_t>(leading_count_);
@@ -54,13 +65,12 @@ VertexId Sites::append(std::span<const double> point, double weight, Index row) 
   double* others = others_.extend(point.size() - k);
   for (std::size_t place = 0; place < point.size(); ++place) {
     const double x = point[static_cast<std::size_t>(axis_at_place_[place])];
-    magnitude_ = std::max(magnitude_, std::abs(x));
-    unit_ = std::min(unit_, trailing_exponent(x));
     *(place < k ? leading++ : others++) = x;
   }
+  range_.include(point);
   if (weighted_) {
     weights_.push_back(weight);
-    unit_ = std::min(unit_, trailing_exponent(weight) >> 1);  // rounded down
+    range_.include_weight(weight);
   }
   row_of_.push_back(row);
   if (row >= vertex_of_.size()) grow_rows(row + std::size_t{1});

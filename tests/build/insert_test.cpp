@@ -110,7 +110,7 @@ TEST(Insert, an_edit_names_what_went_and_what_came) {
           EXPECT_TRUE(t.complex().is_live(c));
         }
         EXPECT_EQ(live.size(), t.complex().live_count());
-        EXPECT_EQ(edit.created.size(), t.star(edit.vertex).size());
+        EXPECT_EQ(edit.created.size(), t.star(edit.came.front()).size());
       };
       const Inserted inserted = insert(t, more.view()[row], 0.0, {.on_edit = listen});
       EXPECT_EQ(heard, inserted.outcome == Outcome::inserted);

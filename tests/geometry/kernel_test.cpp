@@ -368,7 +368,7 @@ void expect_separating_facets(int trials) {
       side[i] = kernel.exact_orient(replaced);
     }
     const bool inside = std::ranges::all_of(side, [](int s) { return s >= 0; });
-    const int slot = kernel.separating_slot(cell, q, -1);
+    const int slot = kernel.separating_slot(cell, kernel.at(q), -1);
     ASSERT_EQ(slot < 0, inside) << trial;
     if (inside) continue;
     ++beyond;

@@ -23,7 +23,7 @@ TEST(Sites, coordinates_come_back_on_their_axes) {
   EXPECT_EQ(sites.others()[1], 5.0);
   for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(sites.coordinate(VertexId{0}, axis), axis + 1.0);
   EXPECT_EQ(sites.weight(VertexId{1}), 0.25);
-  EXPECT_EQ(sites.magnitude(), 6.0);
+  EXPECT_EQ(sites.range().magnitude, 6.0);
 }
 
 TEST(Sites, rows_and_vertices_are_inverse) {

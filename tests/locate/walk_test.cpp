@@ -33,13 +33,13 @@ void expect_every_walk_to_arrive(AnyTriangulation& t, std::size_t first_query) {
   Kernel<K> kernel(t.sites());
   for (std::size_t i = first_query; i < t.row_count(); ++i) {
     const VertexId q{static_cast<Index>(i)};
-    const CellId exhaustive = exhaustive_locate(complex, kernel, q);
+    const CellId exhaustive = exhaustive_locate(complex, kernel, kernel.at(q));
     ASSERT_TRUE(holds(complex, kernel, exhaustive, q));
     for (std::size_t s = 0; s < complex.slot_count(); ++s) {
       const CellId start{static_cast<Index>(s)};
       if (!complex.is_live(start)) continue;
       WalkStats stats;
-      const CellId c = walk(complex, kernel, q, start, stats);
+      const CellId c = walk(complex, kernel, kernel.at(q), start, stats);
       ASSERT_TRUE(complex.is_live(c) && holds(complex, kernel, c, q));
       EXPECT_EQ(complex.is_ghost(c), complex.is_ghost(exhaustive));
       EXPECT_EQ(stats.fallbacks, 0U);

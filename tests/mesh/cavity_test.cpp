@@ -72,7 +72,7 @@ TEST(Cavity, in_the_plane_its_boundary_is_listed_as_a_cycle) {
       for (std::size_t b = 0; b < edit.created.size(); ++b) {
         const CellId c = edit.created[b];
         int slot = 0;
-        while (t.complex().vertex(c, slot) != edit.vertex) ++slot;
+        while (t.complex().vertex(c, slot) != edit.came.front()) ++slot;
         const FacetId along_end = t.complex().twin(c, (slot + 1) % 3);
         ASSERT_EQ(t.complex().cell(along_end), edit.created[(b + 1) % edit.created.size()]) << points.name;
       }

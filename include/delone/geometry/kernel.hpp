@@ -97,24 +97,34 @@ class Kernel {
 
  public:
   using Cell = std::array<VertexId, K + 1>;
+  /// K coordinates each, of sites or of other points.
+  using Points = std::array<const double*, K + 1>;
 
-  explicit Kernel(const Sites& sites)
+  explicit Kernel(const Sites& sites) : Kernel(sites, sites.range()) {}
+  /// For tests of points that are no sites, too. @param range  holds the coordinates of both
+  Kernel(const Sites& sites, const NumberRange& range)
       : x_(sites.leading()),
         others_(sites.others()),
         weights_(sites.weights()),
         other_count_(sites.dimension() - K),
         plain_(other_count_ == 0 && weights_ == nullptr),
-        tame_(sites.magnitude() < filter::kLargest),
-        short_integers_(sites.magnitude() < std::ldexp(1.0, sites.unit() + 120 / (K + 2))),
-        orient_exact_below_(filter::exact_below(sites.unit(), K)),
-        conflict_exact_below_(filter::conflict_exact_below<K>(sites.unit())),
+        tame_(range.magnitude < filter::kLargest),
+        short_integers_(range.magnitude < std::ldexp(1.0, range.unit + 120 / (K + 2))),
+        orient_exact_below_(filter::exact_below(range.unit, K)),
+        conflict_exact_below_(filter::conflict_exact_below<K>(range.unit)),
         conflict_bound_(filter::kU * (filter::conflict_roundings(K) + (plain_ ? 0 : 2 * other_count_ + 4))) {}
 
   const double* at(VertexId v) const { return x_ + raw(v) * kCoordinates; }
+  Points at(const Cell& cell) const {
+    Points points;
+    for (std::size_t i = 0; i <= kCoordinates; ++i) points[i] = at(cell[i]);
+    return points;
+  }
   const PredicateStats& stats() const { return stats_; }
 
   /// Sign of det(v1 - v0, ..., vK - v0) of finite vertices.
-  [[gnu::always_inline]] int orient(const Cell& v) {
+  [[gnu::always_inline]] int orient(const Cell& v) { return orient(at(v)); }
+  [[gnu::always_inline]] int orient(const Points& v) {
     const int sign = filtered_orient(v);
     if (sign != kUnsure) [[likely]] {
       ++stats_.orient_filter;
@@ -123,10 +133,16 @@ class Kernel {
     ++stats_.orient_exact;
     return exact_orient(v);
   }
+  /// The same with the point q in slot i.
+  [[gnu::always_inline]] int orient(const Cell& v, int i, const double* q) {
+    Points points;
+    for (std::size_t j = 0; j <= kCoordinates; ++j) points[j] = static_cast<int>(j) == i ? q : at(v[j]);
+    return orient(points);
+  }
 
   /// A slot of the finite cell such that q lies strictly beyond the facet opposite to it, or -1 when q is in the closed
   /// cell. It is known that q is not beyond the facet opposite slot `entered`, unless that is -1.
-  [[gnu::always_inline]] int separating_slot(const Cell& cell, VertexId q, int entered);
+  [[gnu::always_inline]] int separating_slot(const Cell& cell, const double* q, int entered);
 
   /// Whether the lifted q lies below the hyperplane of a finite, positively oriented cell; ties are broken.
   [[gnu::always_inline]] bool conflict(const Cell& cell, VertexId q) { return decide(estimate(cell, q), cell, q); }
@@ -138,9 +154,9 @@ class Kernel {
   Hyperplane<K> hyperplane(const Cell& cell) const;
 
   /// On the leading axes, rounded.
-  double squared_distance(VertexId a, VertexId b) const {
+  double squared_distance(VertexId v, const double* q) const {
     double sum = 0.0;
-    for (std::size_t j = 0; j < kCoordinates; ++j) sum += (at(a)[j] - at(b)[j]) * (at(a)[j] - at(b)[j]);
+    for (std::size_t j = 0; j < kCoordinates; ++j) sum += (at(v)[j] - q[j]) * (at(v)[j] - q[j]);
     return sum;
   }
 
@@ -155,13 +171,15 @@ class Kernel {
 
   // The stages one by one.
   static constexpr int kUnsure = filter::kUnsure;
-  int filtered_orient(const Cell& v) const;
+  int filtered_orient(const Points& v) const;
+  int filtered_orient(const Cell& v) const { return filtered_orient(at(v)); }
   int filtered_conflict(const Cell& cell, VertexId q) const { return sign(estimate(cell, q)); }
   int filtered_conflict(const Hyperplane<K>& plane, VertexId origin, VertexId q) const {
     return sign(estimate(plane, origin, q));
   }
   int conflict_sign_by_permanent(const Cell& cell, VertexId q) const { return sign(estimate_by_permanent(cell, q)); }
-  [[gnu::noinline]] int exact_orient(const Cell& v) const;
+  [[gnu::noinline]] int exact_orient(const Points& v) const { return slow_orient<K>(v).sign; }
+  int exact_orient(const Cell& v) const { return exact_orient(at(v)); }
   SlowSign slow_conflict_sign(const Cell& cell, VertexId q) const;
 
  private:
@@ -170,14 +188,14 @@ class Kernel {
   struct FourRows {
     Pair abc, cda, ab_squares, cd_squares;
   };
-  FourRows seen_from(const Cell& cell, VertexId q) const requires(K == 3);
+  FourRows seen_from(const Cell& cell, const double* q) const requires(K == 3);
 
   /// The orientations of the cell with one vertex after the other replaced by q, and what bounds their errors.
   struct Sides {
     std::array<double, K + 1> value;
     double bound;
   };
-  Sides sides(const Cell& cell, VertexId q) const requires(K == 2 || K == 3);
+  Sides sides(const Cell& cell, const double* q) const requires(K == 2 || K == 3);
 
   /// The lifted determinant, positive when q is in conflict, or what has its sign. Sure when its error is smaller; free
   /// of any error when `size` lies below conflict_exact_below_ (see there).
@@ -249,21 +267,20 @@ template <int K>
 }  // namespace filter
 
 template <int K>
-[[gnu::always_inline]] inline int Kernel<K>::filtered_orient(const Cell& v) const {
+[[gnu::always_inline]] inline int Kernel<K>::filtered_orient(const Points& v) const {
   if constexpr (K != 1) {
     if (!tame_) [[unlikely]]
       return kUnsure;
   }
-  const double* origin = at(v[0]);
+  const double* origin = v[0];
   if constexpr (K == 1) {
     const double a = *origin;
-    const double b = *at(v[1]);
+    const double b = *v[1];
     return b > a ? 1 : (b < a ? -1 : 0);
   } else {
     Matrix<K, double> m;
     for (std::size_t i = 0; i < kCoordinates; ++i) {
-      const double* p = at(v[i + 1]);
-      for (std::size_t j = 0; j < kCoordinates; ++j) m[i][j] = p[j] - origin[j];
+      for (std::size_t j = 0; j < kCoordinates; ++j) m[i][j] = v[i + 1][j] - origin[j];
     }
     return filter::orient_of_differences<K>(m, orient_exact_below_);
   }
@@ -272,10 +289,9 @@ template <int K>
 // Two rows at a time: (a, b) and (c, d), each of which is a column's entries. Turning the four rows a, b, c, d by one
 // takes the minors ab, bc, cd, da of two columns, and abc, bcd, cda, dab of three, into one another.
 template <int K>
-[[gnu::always_inline]] inline typename Kernel<K>::FourRows Kernel<K>::seen_from(const Cell& cell, VertexId q) const
+[[gnu::always_inline]] inline typename Kernel<K>::FourRows Kernel<K>::seen_from(const Cell& cell, const double* q) const
     requires(K == 3) {
-  const double* origin = at(q);
-  const Pair xy = load_pair(origin);
+  const Pair xy = load_pair(q);
   const Pair a = load_pair(at(cell[0])) - xy;
   const Pair b = load_pair(at(cell[1])) - xy;
   const Pair c = load_pair(at(cell[2])) - xy;
@@ -284,8 +300,8 @@ template <int K>
   const Pair x1 = firsts(c, d);
   const Pair y0 = seconds(a, b);
   const Pair y1 = seconds(c, d);
-  const Pair z0 = Pair{at(cell[0])[2], at(cell[1])[2]} - origin[2];
-  const Pair z1 = Pair{at(cell[2])[2], at(cell[3])[2]} - origin[2];
+  const Pair z0 = Pair{at(cell[0])[2], at(cell[1])[2]} - q[2];
+  const Pair z1 = Pair{at(cell[2])[2], at(cell[3])[2]} - q[2];
   const Pair l0 = x0 * x0 + y0 * y0 + z0 * z0;
   const Pair l1 = x1 * x1 + y1 * y1 + z1 * z1;
   const Pair p0 = x0 * turned(y0, y1) - turned(x0, x1) * y0;           // ab, bc
@@ -325,7 +341,7 @@ template <int K>
     const double permanent = 3.0 * (square + 0x1p-900) * height;
     return {value, permanent, tame_ && std::abs(value) > conflict_bound_ * permanent + 0x1p-1000};
   } else if constexpr (K == 3) {
-    auto [abc, cda, l0, l1] = seen_from(cell, q);
+    auto [abc, cda, l0, l1] = seen_from(cell, at(q));
     const Pair larger_lifts = larger(l0, l1);
     const double square = std::max(larger_lifts[0], larger_lifts[1]);
     double height = square;
@@ -382,11 +398,11 @@ typename Kernel<K>::Estimate Kernel<K>::estimate_by_permanent(const Cell& cell, 
 }
 
 template <int K>
-[[gnu::always_inline]] inline typename Kernel<K>::Sides Kernel<K>::sides(const Cell& cell, VertexId q) const
+[[gnu::always_inline]] inline typename Kernel<K>::Sides Kernel<K>::sides(const Cell& cell, const double* q) const
     requires(K == 2 || K == 3) {
   const double slack = tame_ ? 0x1p-1000 : std::numeric_limits<double>::infinity();
   if constexpr (K == 2) {
-    const Pair origin = load_pair(at(q));
+    const Pair origin = load_pair(q);
     const Pair a = load_pair(at(cell[0])) - origin;
     const Pair b = load_pair(at(cell[1])) - origin;
     const Pair c = load_pair(at(cell[2])) - origin;
@@ -402,7 +418,7 @@ template <int K>
 }
 
 template <int K>
-[[gnu::always_inline]] inline int Kernel<K>::separating_slot(const Cell& cell, VertexId q, int entered) {
+[[gnu::always_inline]] inline int Kernel<K>::separating_slot(const Cell& cell, const double* q, int entered) {
   std::array<bool, K + 1> open{};  // sides of unknown sign
   if constexpr (K == 2 || K == 3) {
     const auto [side, bound] = sides(cell, q);
@@ -416,13 +432,10 @@ template <int K>
   } else {
     open.fill(true);
   }
-  Cell replaced = cell;
   for (std::size_t i = 0; i <= kCoordinates; ++i) {
     const int slot = static_cast<int>(i);
     if (slot == entered || !open[i]) continue;
-    replaced[i] = q;
-    if (orient(replaced) < 0) return slot;
-    replaced[i] = cell[i];
+    if (orient(cell, slot, q) < 0) return slot;
   }
   return -1;
 }
@@ -513,13 +526,6 @@ template <int K>
   value = -(value + plane.height * lift);
   const double bound = plane.tilt_error * length + plane.height_error * size;
   return {value, std::numeric_limits<double>::infinity(), size > 0x1p-180 && size < 0x1p190 && std::abs(value) > bound};
-}
-
-template <int K>
-int Kernel<K>::exact_orient(const Cell& v) const {
-  std::array<const double*, K + 1> points;
-  for (std::size_t i = 0; i <= kCoordinates; ++i) points[i] = at(v[i]);
-  return slow_orient<K>(points).sign;
 }
 
 template <int K>

@@ -26,9 +26,16 @@ struct Flat {
   bool operator==(const Flat&) const = default;
 };
 
-class Sites {
-  static constexpr int kCoarsest = 1024;
+/// What filters and short integers rest on: how large numbers are, and what they are multiples of.
+struct NumberRange {
+  double magnitude = 0.0;  ///< the largest absolute coordinate
+  int unit = 1024;         ///< every coordinate is an integer times 2^unit, every weight times 2^(2 unit)
 
+  void include(std::span<const double> coordinates);
+  void include_weight(double weight);
+};
+
+class Sites {
  public:
   explicit Sites(int dimension, bool weighted = false, Flat flat = {});
 
@@ -41,10 +48,8 @@ class Sites {
   const double* leading() const { return leading_.data(); }
   const double* others() const { return others_.data(); }
   const double* weights() const { return weighted_ ? weights_.data() : nullptr; }
-  /// The largest absolute coordinate so far.
-  double magnitude() const { return magnitude_; }
-  /// Every coordinate so far is an integer times 2^unit, every weight times 2^(2 unit).
-  int unit() const { return unit_; }
+  /// Of all sites so far.
+  const NumberRange& range() const { return range_; }
   double weight(VertexId v) const { return weighted_ ? weights_[raw(v)] : 0.0; }
   /// Coordinate of `v` on one of the D axes of the input.
   double coordinate(VertexId v, int axis) const {
@@ -85,8 +90,7 @@ class Sites {
   int leading_count_;
   std::array<int, kMaxDimension> axis_at_place_{};  // leading axes first, then the others, both ascending
   std::array<int, kMaxDimension> place_of_axis_{};
-  double magnitude_ = 0.0;
-  int unit_ = kCoarsest;
+  NumberRange range_;
   Buffer<double> leading_, others_, weights_;
   Buffer<Index> row_of_, vertex_of_;
 };

@@ -19,19 +19,16 @@ struct WalkStats {
 
 /// The closed cell that contains q (see walk), by looking at every cell.
 template <int K>
-CellId exhaustive_locate(const ComplexView<K>& complex, Kernel<K>& kernel, VertexId q) {
+CellId exhaustive_locate(const ComplexView<K>& complex, Kernel<K>& kernel, const double* q) {
   for (std::size_t s = 0; s < complex.slot_count(); ++s) {
     const CellId c{static_cast<Index>(s)};
     if (!complex.is_live(c)) continue;
-    auto v = complex.vertices(c);
+    const auto v = complex.vertices(c);
     const int ghost = complex.ghost_slot(c);
     bool inside = true;
     for (int i = 0; i <= K && inside; ++i) {
       if (ghost >= 0 && i != ghost) continue;
-      const VertexId apex = v[static_cast<std::size_t>(i)];
-      v[static_cast<std::size_t>(i)] = q;
-      const int side = kernel.orient(v);
-      v[static_cast<std::size_t>(i)] = apex;
+      const int side = kernel.orient(v, i, q);
       inside = ghost >= 0 ? side > 0 : side >= 0;
     }
     if (inside) return c;
@@ -48,11 +45,11 @@ struct Outside {
 /// From ghost cell c a few steps along the hull towards q, each across the ridge opposite the vertex farthest from q.
 /// A shortcut for points in convex position, where the way through the inside leads round long fans.
 template <int K>
-Outside walk_outside(const ComplexView<K>& complex, Kernel<K>& kernel, VertexId q, CellId c) {
+Outside walk_outside(const ComplexView<K>& complex, Kernel<K>& kernel, const double* q, CellId c) {
   constexpr int kSteps = K == 2 ? 256 : 8;  // in the plane they lead straight, above they may circle
   CellId last = kNoCell;
   for (int step = 0; step < kSteps; ++step) {
-    auto v = complex.vertices(c);
+    const auto v = complex.vertices(c);
     const int ghost = complex.ghost_slot(c);
     int farthest = ghost;
     double distance = -1.0;
@@ -62,8 +59,7 @@ Outside walk_outside(const ComplexView<K>& complex, Kernel<K>& kernel, VertexId 
       farthest = d > distance ? i : farthest;
       distance = std::max(d, distance);
     }
-    v[static_cast<std::size_t>(ghost)] = q;
-    if (kernel.orient(v) > 0) return {c, true};
+    if (kernel.orient(v, ghost, q) > 0) return {c, true};
     const CellId next = complex.cell(complex.twin(c, farthest));
     if (next == last) break;
     last = std::exchange(c, next);
@@ -72,9 +68,10 @@ Outside walk_outside(const ComplexView<K>& complex, Kernel<K>& kernel, VertexId 
 }
 
 /// The closed cell that contains q: finite if q lies in the hull, else a ghost cell whose facet q lies strictly beyond.
+/// @param q      K leading coordinates, of a site or of any other point in the range that the kernel knows
 /// @param start  any live cell; a near one is fast
 template <int K>
-CellId walk(const ComplexView<K>& complex, Kernel<K>& kernel, VertexId q, CellId start, WalkStats& stats) {
+CellId walk(const ComplexView<K>& complex, Kernel<K>& kernel, const double* q, CellId start, WalkStats& stats) {
   CellId c = start;
   if (complex.is_ghost(c)) {
     const Outside outside = walk_outside(complex, kernel, q, c);

@@ -42,7 +42,7 @@ class Inserter {
   Outcome insert(VertexId q, CellId start) {
     scratch_->reserve_cells(K, complex_.slot_count());
     WalkStats walked;
-    const CellId c = walk(complex_, kernel_, q, start, walked);
+    const CellId c = walk(complex_, kernel_, kernel_.at(q), start, walked);
     mesh_->statistics.walk_steps += walked.steps;
     mesh_->statistics.walk_fallbacks += walked.fallbacks;
     last_ = c;
@@ -60,11 +60,11 @@ class Inserter {
   CellId last_cell() const { return last_; }
   /// What the last insertion changed, if its outcome was `inserted`; valid until the next.
   /// Cannot fail: room has been made.
-  Edit edit(VertexId q) {
+  Edit edit() {
     auto& removed = scratch_->removed;
     removed.resize(scratch_->cavity.size());
     for (std::size_t i = 0; i < removed.size(); ++i) removed[i] = complex_.cell(scratch_->cavity[i]);
-    return {.vertex = q, .removed = removed, .created = scratch_->created};
+    return {.gone = scratch_->swallowed, .came = {&came_, 1}, .removed = removed, .created = scratch_->created};
   }
 
  private:
@@ -80,11 +80,13 @@ class Inserter {
       find_cavity(complex_, kernel_, q, start, *scratch_);
       mesh_->complex.reserve_more(scratch_->boundary.size(), mesh_->sites.size());
       scratch_->prepare_star(K, complex_.slot_count(), mesh_->sites.size());
+      if (mesh_->sites.weighted()) scratch_->swallowed.reserve(scratch_->cavity.size() + K);  // a ball has no more
     } catch (...) {
       clean_marks();
       throw;
     }
     fill_cavity(complex_, q, *scratch_);  // from here on nothing fails
+    came_ = q;
     ++mesh_->vertex_count;
     if (mesh_->sites.weighted()) hide_swallowed_vertices();
     for (const FacetId f : scratch_->cavity) complex_.destroy(complex_.cell(f));
@@ -100,12 +102,14 @@ class Inserter {
 
   /// Vertices whose whole star lay in the cavity have become redundant.
   void hide_swallowed_vertices() {
+    scratch_->swallowed.clear();
     for (const FacetId f : scratch_->cavity) {
       for (const VertexId v : complex_.vertices(complex_.cell(f))) {
         if (v == kGhost || !complex_.has_vertex(v)) continue;
         if (scratch_->marks[raw(complex_.incident_cell(v))] != Scratch::Mark::conflicting) continue;
         complex_.forget(v);
         --mesh_->vertex_count;
+        scratch_->swallowed.push_back(v);  // there is room
       }
     }
   }
@@ -115,6 +119,7 @@ class Inserter {
   Kernel<K> kernel_;
   Scratch* scratch_;
   CellId last_ = kNoCell;
+  VertexId came_ = kGhost;
 };
 
 /// Where all sites stand at one place the heaviest is the vertex, and there is nothing to search.
@@ -134,7 +139,7 @@ class Inserter<0> {
     return Outcome::inserted;
   }
   CellId last_cell() const { return mesh_->complex.incident_cell(kGhost); }
-  Edit edit(VertexId q) const { return {.vertex = q, .removed = {}, .created = {}, .rebuilt = true}; }
+  Edit edit() const { return {.rebuilt = true}; }
 
  private:
   Mesh* mesh_;

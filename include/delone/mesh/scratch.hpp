@@ -25,12 +25,13 @@ struct Scratch {
   // A type of its own, not a character type: a store of one may change no other number, and the compiler knows.
   enum class Mark : std::uint8_t { none, conflicting };
 
-  Buffer<Mark> marks;        ///< per cell slot; all `none` between insertions
-  Buffer<FacetId> cavity;    ///< of every cell in conflict a facet: the one that the search entered it by
-  Buffer<FacetId> pending;   ///< facets that a search in depth has still to cross, seen from beyond
-  Buffer<FacetId> boundary;  ///< facets between the cavity and what stays, seen from inside
-  Buffer<CellId> created;    ///< the star, in the order of `boundary`
-  Buffer<CellId> removed;    ///< the cells of the cavity, when somebody asked for them
+  Buffer<Mark> marks;          ///< per cell slot; all `none` between insertions
+  Buffer<FacetId> cavity;      ///< of every cell in conflict a facet: the one that the search entered it by
+  Buffer<FacetId> pending;     ///< facets that a search in depth has still to cross, seen from beyond
+  Buffer<FacetId> boundary;    ///< facets between the cavity and what stays, seen from inside
+  Buffer<CellId> created;      ///< the star, in the order of `boundary`
+  Buffer<VertexId> swallowed;  ///< vertices whose whole star lay in the cavity, with weights
+  Buffer<CellId> removed;      ///< the cells of the cavity, when somebody asked for them
   EdgeTable edges;
   Buffer<double> planes;  ///< above 3D, per cell slot a Hyperplane; not yet known where it starts with NaN
 
@@ -55,7 +56,7 @@ struct Scratch {
   std::size_t memory_bytes() const {
     return marks.capacity() + edges.number.capacity() * sizeof(std::uint16_t) + planes.capacity() * sizeof(double) +
            (cavity.capacity() + pending.capacity() + boundary.capacity()) * sizeof(FacetId) +
-           (created.capacity() + removed.capacity()) * sizeof(CellId);
+           swallowed.capacity() * sizeof(VertexId) + (created.capacity() + removed.capacity()) * sizeof(CellId);
   }
 };
 
