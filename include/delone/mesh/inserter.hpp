@@ -7,11 +7,11 @@
 #include <optional>
 #include <utility>
 
-#include "delone/locate/walk.hpp"
 #include "delone/mesh/cavity.hpp"
 #include "delone/mesh/edit.hpp"
 #include "delone/mesh/star.hpp"
 #include "delone/mesh/triangulation.hpp"
+#include "delone/mesh/walk.hpp"
 
 namespace delone {
 

@@ -1,4 +1,4 @@
-#include "delone/locate/walk.hpp"
+#include "delone/mesh/walk.hpp"
 
 #include <gtest/gtest.h>
 
