@@ -3,6 +3,7 @@
 
 #include "bench/peer.hpp"
 #include "delone/build/build.hpp"
+#include "delone/remove/remove.hpp"
 
 namespace delone::bench {
 
@@ -21,8 +22,26 @@ Run run(PointsView points) {
   return run;
 }
 
+/// The time to remove one row in `Share`, one after the other; rows are in random order.
+template <std::size_t Share>
+Run remove_rows(PointsView points) {
+  AnyTriangulation t = build(points);
+  const Clock clock;
+  for (std::size_t row = 0; row < points.size() / Share; ++row) remove(t, static_cast<Index>(row));
+  Run run;
+  clock.stop(run);
+  run.cells = t.cell_count();
+  run.vertices = t.vertex_count();
+  run.bytes = t.memory_bytes();
+  return run;
+}
+
 }  // namespace
 
-std::vector<Peer> delone_peers() { return {{"Delone", DELONE_VERSION, fits, run}}; }
+std::vector<Peer> delone_peers() {
+  return {{"Delone", DELONE_VERSION, fits, run},
+          {"Delone-remove-10", DELONE_VERSION, fits, remove_rows<10>},
+          {"Delone-remove-20", DELONE_VERSION, fits, remove_rows<20>}};
+}
 
 }  // namespace delone::bench
