@@ -18,7 +18,7 @@
 namespace delone {
 namespace {
 
-constexpr Flat kPlane{2, {0, 1}};
+constexpr Flat kBothAxes{2, {0, 1}};
 constexpr Heading kEast{{0.0, 0.0}, {1.0, 0.0}};
 constexpr Heading kNorth{{0.0, 0.0}, {0.0, 1.0}};
 
@@ -125,7 +125,9 @@ class RadialVoronoi::Builder {
     while (!star_[first].starts_up || star_[before(first)].starts_up) ++first;
     std::ranges::rotate(star_, star_.begin() + static_cast<std::ptrdiff_t>(first));
     first_sector_ = d_->sectors_.size();
-    if (first_sector_ + star_.size() > Fate::kSectors) throw InputError("too many sites: their sectors have no names");
+    if (std::max(first_sector_ + star_.size(), 3 * cells.slot_count()) > Fate::kNames) {
+      throw InputError("too many sites: a radial Voronoi diagram cannot name all their sectors");
+    }
     for (std::size_t t = 0; t < star_.size(); ++t) {
       const VertexId k = star_[t].neighbour;
       d_->sectors_.push_back({v, k, {}});
@@ -197,7 +199,7 @@ class RadialVoronoi::Builder {
   Buffer<Index> sector_of_;       // by vertex; right for the neighbours of the site that has just come
 };
 
-RadialVoronoi::RadialVoronoi(const AnyTriangulation& t, std::uint64_t seed) : mesh_(Sites(2, false, kPlane)) {
+RadialVoronoi::RadialVoronoi(const AnyTriangulation& t, std::uint64_t seed) : mesh_(Sites(2, false, kBothAxes)) {
   if (t.dimension() != 2 || t.weighted()) {
     throw InputError("a radial Voronoi diagram needs a triangulation of the plane without weights");
   }
@@ -247,24 +249,21 @@ void RadialVoronoi::keep_in_order(const AnyTriangulation& t) {
 /// Departure from [GKS92] section 5: sites on one line have parallel bisectors, in the order of the sites. Binary
 /// search for the last bisector that q has crossed. At most two sites are as near.
 Index RadialVoronoi::nearest_on_line(Point2 q, RadialSteps& steps) const {
-  const auto side = [&](std::size_t i) {
-    ++steps.bisectors;
-    return nearer(q, point(VertexId{static_cast<Index>(i)}), point(VertexId{static_cast<Index>(i + 1)}));
-  };
+  const auto site_at = [](std::size_t i) { return VertexId{static_cast<Index>(i)}; };
   std::size_t first = 0;
   std::size_t last = site_count() - 1;
   while (first < last) {
     const std::size_t middle = first + (last - first) / 2;
-    if (const int sign = side(middle); sign == 0) {
-      return std::min(mesh_.sites.row(VertexId{static_cast<Index>(middle)}),
-                      mesh_.sites.row(VertexId{static_cast<Index>(middle + 1)}));
-    } else if (sign > 0) {
+    ++steps.bisectors;
+    const int side = nearer(q, point(site_at(middle)), point(site_at(middle + 1)));
+    if (side == 0) return std::min(mesh_.sites.row(site_at(middle)), mesh_.sites.row(site_at(middle + 1)));
+    if (side > 0) {
       last = middle;
     } else {
       first = middle + 1;
     }
   }
-  return mesh_.sites.row(VertexId{static_cast<Index>(first)});
+  return mesh_.sites.row(site_at(first));
 }
 
 /// The closed triangle `at` of the final diagram holds q, so its site s is nearest, and others are as near only if the
@@ -349,9 +348,9 @@ RadialVoronoi::Triangle RadialVoronoi::first_triangle(Point2 q, RadialSteps& ste
 /// vertices as s, and so from q.
 ///
 /// Departure from [GKS92] section 5: a destroyed triangle points to the new site's sector on the bisector with s, as
-/// the first remark after theorem 5.4 suggests, and q is compared with the bisector first. The proof of 5.4 searches q
-/// by angle first and expects the sector found to be based on that bisector when s remains nearer; it may be based on
-/// another one, since the ray from the new site to q may leave the new region through a third site's.
+/// the first remark after theorem 5.4 suggests, and q is compared with the bisector first, because the proof of 5.4,
+/// which searches q by angle first, expects the sector that it finds to be based on that bisector when s remains
+/// nearer. It may be based on another one: the way from the new site to q may lead through a third region. (Tested.)
 RadialVoronoi::Triangle RadialVoronoi::last_triangle(Point2 q, RadialSteps& steps) const {
   Triangle at = first_triangle(q, steps);
   ++steps.triangles;
@@ -377,23 +376,27 @@ Index RadialVoronoi::sector_towards(VertexId o, Point2 q, RadialSteps& steps) co
   const Plane plane = planes_[raw(o)];
   const Index end = planes_[raw(o) + 1].first;
   const Point2 centre = point(o);
-  const bool up = q[1] > centre[1] || (q[1] == centre[1] && q[0] >= centre[0]);
+  const bool up = q[1] >= centre[1];  // against the x axis the last upper sector holds q, too
   Index first = up ? plane.first : plane.lower;
   Index last = up ? plane.lower : end;
   while (first < last) {
     const Index middle = first + (last - first) / 2;
     ++steps.rays;
-    const bool before =
-        side_of_ray(o, sectors_[previous(middle)].neighbour, sectors_[middle].neighbour, {centre, q}) < 0;
-    before ? last = middle : first = middle + 1;
+    const Index before = (middle == plane.first ? end : middle) - 1;
+    if (side_of_ray(o, sectors_[before].neighbour, sectors_[middle].neighbour, {centre, q}) < 0) {
+      last = middle;
+    } else {
+      first = middle + 1;
+    }
   }
   return (first == plane.first ? end : first) - 1;
 }
 
 /// q lay in the closed triangle of s that was based on `old_base`, and is still nearest to s: which triangle of s
-/// beyond the base of `sector` holds it. Departure from [GKS92] section 5: at most one ray is asked instead of three
-/// triangles. A triangle that lost both Voronoi vertices lies, up to the bisector, behind the new base, and one that
-/// kept a vertex is cut in two.
+/// beyond the base of `sector` holds it.
+/// Departure from [GKS92] section 5: at most one ray is asked, not up to three triangles, because the old triangle
+/// tells more. If it lost both Voronoi vertices, what is left of it lies before the new base; if one, the ray through
+/// the new vertex on its base cuts it in two.
 RadialVoronoi::Part RadialVoronoi::part_beyond(Index sector, VertexId old_base, Point2 q, RadialSteps& steps) const {
   const VertexId newcomer = sectors_[sector].site;
   const VertexId s = sectors_[sector].neighbour;

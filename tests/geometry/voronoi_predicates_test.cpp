@@ -128,9 +128,26 @@ TEST(VoronoiPredicates, nearer_decides_at_the_expected_stage) {
   expect_nearer({0.5, 0}, {0, 0}, {1 + 0x1p-52, 0}, +1, Stage::adaptive);
   expect_nearer({0.1, 0.3}, {0.2, 0.1}, {0.1, 0.2}, -1, Stage::filter);
   expect_nearer({0x1p60, 0}, {0, 1}, {0, -1}, 0, Stage::exact);
+  expect_nearer({0x1p-500, 0}, {0, 0}, {0x1p-480, 0}, +1, Stage::adaptive);  // the bound would underflow
   expect_nearer({kDenormal, 0}, {0, 0}, {2 * kDenormal, 0}, 0, Stage::adaptive);
   expect_nearer({0, 0}, {kDenormal, 0}, {0, 2 * kDenormal}, +1, Stage::adaptive);
   expect_nearer({kLargest, 0}, {-kLargest, 1}, {-kLargest, 0}, -1, Stage::exact);
+}
+
+void expect_same_way(Heading a, Heading b, int sign, Stage stage) {
+  EXPECT_EQ(voronoi::filtered_same_way(a, b), stage == Stage::filter ? sign : filter::kUnsure);
+  const SlowSign slow = voronoi::slow_same_way(a, b);
+  EXPECT_EQ(slow.sign, sign);
+  EXPECT_TRUE(stage == Stage::filter || stage == slow.stage);
+}
+
+TEST(VoronoiPredicates, same_way_decides_at_the_expected_stage) {
+  const Point2 o{0, 0};
+  expect_same_way({o, {1, 1}}, {{5, 5}, {6, 7}}, +1, Stage::filter);
+  expect_same_way({o, {1, 1}}, {o, {1, -1}}, 0, Stage::adaptive);
+  expect_same_way({o, {1, 1}}, {o, {1, -1 - 0x1p-52}}, -1, Stage::adaptive);
+  expect_same_way({o, {0x1p-500, 0}}, {o, {0x1p-500, 0}}, +1, Stage::adaptive);
+  expect_same_way({{-kLargest, 0}, {kLargest, 1}}, {o, {-1, 0}}, -1, Stage::exact);
 }
 
 void expect_side(Point2 o, Point2 a, Point2 b, Point2 q, int sign, Stage stage) {

@@ -303,6 +303,27 @@ Means over_orders(const PointSet& points, const std::array<double, 2>& q, std::u
   return means(steps, static_cast<double>(orders));
 }
 
+/// Why a destroyed triangle points to a bisector and not only to a plane. The triangle of s that holds q has the
+/// Voronoi vertices (-6, -4) and (3, -4) before the newcomer takes the second one away. q stays in the region of s, but
+/// seen from the newcomer it lies behind the base of the sector towards k.
+TEST(RadialVoronoi, the_way_from_a_new_site_to_a_query_may_lead_through_a_third_region) {
+  constexpr Index s = 0;
+  constexpr Index k = 1;
+  constexpr Index newcomer = 4;
+  const PointSet points{"third region", 2, {0, 0, 0, -8, -12, -8, 8, -4, 4, -6}, {}};
+  const std::array q{-3.0, -3.5};
+  const std::array halfway{0.5, -4.75};
+  const RadialVoronoi before(built(rows(points, 0, 4)));
+  EXPECT_EQ(before.nearest(q), s);
+  EXPECT_EQ(before.nearest(std::array{3.0, -4.0}), s);
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const RadialVoronoi after(built(points), seed);
+    EXPECT_EQ(after.nearest(q), s);
+    EXPECT_EQ(after.nearest(std::array{3.0, -4.0}), newcomer);
+    EXPECT_EQ(after.nearest(halfway), k);
+  }
+}
+
 /// [GKS92] first remark after theorem 5.4, figure 6. Site j is a little nearer to the centre i than all others, so
 /// before i comes the query p close to i lies in j's region, whatever its direction from i; here it is the opposite
 /// one. The triangle that i destroys points to the sector of i on the bisector with j, and p is half the wheel away

@@ -8,8 +8,8 @@
 // Each is a polynomial in differences, of degree 2 or 4: a filter of doubles with a bound, then integers. In the error
 // bounds u = 2^-53; a term that passes r roundings is off by less than (r + 0.1) u of its size, where 0.1 u covers the
 // second order, the roundings of the size and what underflows: off by 2^-1074 times its other factors, which the limits
-// on sizes keep below 2^-20 of the bound. Overflow would leave an infinity or a NaN in a size, which these limits
-// exclude.
+// on sizes keep below 2^-20 of the bound. Overflow leaves an infinity or a NaN in the size and so in the bound, and
+// nothing lies beyond that.
 #pragma once
 
 #include <array>
@@ -93,7 +93,7 @@ inline int filtered_nearer(Point2 q, Point2 a, Point2 b) {
   const double value = ab[0] * (qa[0] + qb[0]) + ab[1] * (qa[1] + qb[1]);
   const double size =
       std::abs(ab[0]) * (std::abs(qa[0]) + std::abs(qb[0])) + std::abs(ab[1]) * (std::abs(qa[1]) + std::abs(qb[1]));
-  if (!(size > 0x1p-950 && size < 0x1p1000)) return filter::kUnsure;
+  if (!(size > 0x1p-950)) return filter::kUnsure;
   return filter::sign_beyond(value, 5.1 * filter::kU * size);
 }
 
@@ -116,7 +116,7 @@ inline int filtered_side_of_ray(Point2 o, Point2 a, Point2 b, Heading d) {
 /// Roundings of a term: one in each difference, one product, one sum.
 inline int filtered_same_way(Heading a, Heading b) {
   const Sum ab = dot(difference(a.to, a.from), difference(b.to, b.from));
-  if (!(ab.size > 0x1p-950 && ab.size < 0x1p1000)) return filter::kUnsure;
+  if (!(ab.size > 0x1p-950)) return filter::kUnsure;
   return filter::sign_beyond(ab.value, 4.1 * filter::kU * ab.size);
 }
 

@@ -68,7 +68,7 @@ class RadialVoronoi {
     static Fate alive(FacetId f) { return Fate(raw(f) | kAlive); }
     /// A later site destroyed it, whose sector on the bisector of the two sites this is.
     static Fate cut_by(Index sector) { return Fate(sector); }
-    static constexpr Index kSectors = kNone / 2;  ///< that can be told from half-edges
+    static constexpr Index kNames = kNone / 2;  ///< sectors and half-edges lie below
 
     Fate() = default;
     bool is_alive() const { return (bits_ & kAlive) != 0; }
