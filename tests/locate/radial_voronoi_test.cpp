@@ -11,6 +11,7 @@
 #include "delone/base/errors.hpp"
 #include "support/expectations.hpp"
 #include "support/families.hpp"
+#include "support/float_modes.hpp"
 
 namespace delone {
 namespace {
@@ -177,6 +178,23 @@ TEST(RadialVoronoi, no_answer_depends_on_the_seed) {
   for (std::size_t i = 0; i < queries.size(); i += 2) {
     const std::span q(queries.data() + i, 2);
     EXPECT_EQ(first.nearest(q), other.nearest(q));
+  }
+}
+
+TEST(RadialVoronoi, does_not_depend_on_the_callers_rounding_and_denormals) {
+  Random random(11);
+  for (const PointSet& points : unweighted_families(2, 30, 12)) {
+    const RadialVoronoi plain(built(points), 1);
+    const std::vector<double> queries = hard_queries(points, 40, random);
+    std::vector<Index> expected;
+    for (std::size_t i = 0; i < queries.size(); i += 2) expected.push_back(plain.nearest({queries.data() + i, 2}));
+    const AnyTriangulation t = built(points);
+    const Rounding upward(FE_UPWARD);
+    const FlushedDenormals flushed(Flush::both);
+    const RadialVoronoi diagram(t, 1);
+    for (std::size_t i = 0; i < queries.size(); i += 2) {
+      ASSERT_EQ(diagram.nearest({queries.data() + i, 2}), expected[i / 2]) << points;
+    }
   }
 }
 
