@@ -35,17 +35,17 @@ std::vector<VertexId> vertices_by_row(const AnyTriangulation& t) {
 
 /// The vertices in random order, but for the third.
 /// Departure from [GKS92] section 5: the first version has three sites that are not in line, because only then is there
-/// a Voronoi vertex. The third is the first by row that fits the first two, so the others stay in random order, and the
-/// expected bounds hold: a triangle of version r depends on at most four sites, of which r - 3 are random.
+/// a Voronoi vertex. The third is the first by row that fits the first two, so the others stay in random order and the
+/// expected bounds hold: a triangle depends on at most four sites, so that the r-th changes it with probability at most
+/// 4 / (r - 3).
 std::vector<VertexId> insertion_order(const AnyTriangulation& t, std::uint64_t seed) {
   const std::vector<VertexId> by_row = vertices_by_row(t);
   std::vector<VertexId> order = by_row;
-  for (std::size_t i = order.size(); i-- > 1;) std::swap(order[i], order[mix(seed + i) % (i + 1)]);
+  for (std::size_t i = order.size(); i-- > 1;) std::swap(order[i], order[mix(mix(seed) + i) % (i + 1)]);
   Kernel<2> kernel(t.sites());
-  const auto third = std::ranges::find_if(by_row, [&](VertexId v) {
-    return kernel.orient({order[0], order[1], v}) != 0;
-  });
-  std::rotate(order.begin() + 2, std::ranges::find(order, *third), std::ranges::find(order, *third) + 1);
+  const auto spans = [&](VertexId v) { return kernel.orient({order[0], order[1], v}) != 0; };
+  const auto third = std::ranges::find(order, *std::ranges::find_if(by_row, spans));
+  std::rotate(order.begin() + 2, third, third + 1);
   return order;
 }
 
@@ -123,7 +123,7 @@ class RadialVoronoi::Builder {
     // Between two rays is less than half a turn, so some lead up and some down.
     std::size_t first = 0;
     while (!star_[first].starts_up || star_[before(first)].starts_up) ++first;
-    std::ranges::rotate(star_, star_.begin() + static_cast<std::ptrdiff_t>(first));
+    std::rotate(star_.begin(), star_.begin() + static_cast<std::ptrdiff_t>(first), star_.end());
     first_sector_ = d_->sectors_.size();
     if (std::max(first_sector_ + star_.size(), 3 * cells.slot_count()) > Fate::kNames) {
       throw InputError("too many sites: a radial Voronoi diagram cannot name all their sectors");

@@ -5,13 +5,12 @@
 // vertices, and every triangle that ever was is kept, with what became of it. A query follows the triangles that hold
 // it from the first version to the last.
 //
-//      the plane of site i:           i's sectors in the order of their angle; each is a triangle based on the bisector
-//      sectors, by angle              of i and a neighbour k, between the rays through two Voronoi vertices of i
-//            ╲   │   ╱
-//        ─────╲──┼──╱─────            beyond the base of each sector: the three new triangles of k's region
-//              ╲ │ ╱
-//                i                    what became of a triangle of site s that i destroyed: i's sector on the bisector
-//                                     of i and s
+//   sector   a triangle of site i from the day it came: based on the bisector of i and a neighbour k, between the rays
+//            from i through two Voronoi vertices
+//   plane    the sectors of a site by angle, so that a query finds its own by binary search
+//   beyond   the base of a sector lie the new triangles of k's region: across it a whole one, and towards the next and
+//            the previous sector what remains of two others
+//   fate     what became of a triangle: where a later site cut it off, that site's sector on the bisector of the two
 #pragma once
 
 #include <array>
