@@ -52,38 +52,6 @@ void require_elevation(const io::PointTable& points, const std::string& name) {
                                numeric.empty() ? "is none" : "are " + joined(numeric)));
 }
 
-void count(const AnyTriangulation& triangulation, Summary& summary) {
-  summary.affine_dimension = triangulation.affine_dimension();
-  summary.weighted = triangulation.weighted();
-  summary.vertices = triangulation.vertex_count();
-  summary.duplicates = triangulation.duplicate_count();
-  summary.hidden = triangulation.hidden_count();
-  summary.cells = triangulation.cell_count();
-  summary.hull_facets = triangulation.hull_facet_count();
-  summary.memory_bytes = triangulation.memory_bytes();
-  summary.statistics = triangulation.statistics();
-}
-
-std::vector<std::string> status_words(const AnyTriangulation& triangulation) {
-  std::vector<std::string> words(triangulation.row_count());
-  for (std::size_t row = 0; row < words.size(); ++row) {
-    switch (triangulation.status(static_cast<Index>(row)).status) {
-      case Status::vertex:
-        words[row] = "vertex";
-        break;
-      case Status::duplicate:
-        words[row] = "duplicate";
-        break;
-      case Status::hidden:
-        words[row] = "hidden";
-        break;
-      case Status::removed:  // files of points have no such row
-        break;
-    }
-  }
-  return words;
-}
-
 /// Builds, fills the summary, and lets the triangulation go before files are written: they need its memory.
 Exported triangulate(const io::PointTable& points, const Options& options, Summary& summary) {
   const DeferInterrupt defer;
@@ -120,15 +88,7 @@ void write_outputs(const std::vector<Output>& outputs, const io::PointTable& poi
                           .row_status = &exported.row_status,
                           .merged = options.merged ? &exported.merged : nullptr,
                           .elevation = options.elevation};
-  for (const Output& output : outputs) {
-    const DeferInterrupt defer;  // a file that is begun is finished
-    const Stopwatch writing;
-    Written written{output.path, {}, 0};
-    unless_nobody_reads(output.path, [&] { written.files = io::write_mesh(output.path, output.format, mesh); });
-    written.seconds = writing.seconds();
-    summary.written.push_back(std::move(written));
-    if (interrupted() != 0) throw Cancelled();
-  }
+  summary.written = write_meshes(outputs, mesh);
 }
 
 void report(const Summary& summary, const Options& options) {

@@ -9,6 +9,8 @@
 #include <map>
 
 #include "command.hpp"
+#include "delone/base/errors.hpp"
+#include "interrupt.hpp"
 
 namespace delone::cli {
 namespace fs = std::filesystem;
@@ -144,6 +146,54 @@ void require_merged(const std::vector<Output>& outputs, int dimension) {
     if (fault != nullptr)
       throw UsageError("-o " + output.path + ": " + fault + "; write .cells or .csv, or leave out --merged");
   }
+}
+
+std::vector<Written> write_meshes(const std::vector<Output>& outputs, const io::MeshView& mesh) {
+  std::vector<Written> all;
+  for (const Output& output : outputs) {
+    const DeferInterrupt defer;  // a file that is begun is finished
+    const Stopwatch writing;
+    Written written{output.path, {}, 0};
+    unless_nobody_reads(output.path, [&] { written.files = io::write_mesh(output.path, output.format, mesh); });
+    written.seconds = writing.seconds();
+    all.push_back(std::move(written));
+    if (interrupted() != 0) throw Cancelled();
+  }
+  return all;
+}
+
+const char* word(Status status) {
+  switch (status) {
+    case Status::vertex:
+      return "vertex";
+    case Status::duplicate:
+      return "duplicate";
+    case Status::hidden:
+      return "hidden";
+    case Status::removed:
+      break;
+  }
+  return "removed";
+}
+
+std::vector<std::string> status_words(const AnyTriangulation& triangulation) {
+  std::vector<std::string> words(triangulation.row_count());
+  for (std::size_t row = 0; row < words.size(); ++row) {
+    words[row] = word(triangulation.status(static_cast<Index>(row)).status);
+  }
+  return words;
+}
+
+void count(const AnyTriangulation& triangulation, Summary& summary) {
+  summary.affine_dimension = triangulation.affine_dimension();
+  summary.weighted = triangulation.weighted();
+  summary.vertices = triangulation.vertex_count();
+  summary.duplicates = triangulation.duplicate_count();
+  summary.hidden = triangulation.hidden_count();
+  summary.cells = triangulation.cell_count();
+  summary.hull_facets = triangulation.hull_facet_count();
+  summary.memory_bytes = triangulation.memory_bytes();
+  summary.statistics = triangulation.statistics();
 }
 
 }  // namespace delone::cli

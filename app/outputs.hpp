@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "delone/io/mesh_file.hpp"
+#include "delone/mesh/triangulation.hpp"
+#include "summary.hpp"
 
 namespace delone::cli {
 
@@ -28,5 +30,16 @@ void require_dimension(const std::vector<Output>& outputs, int dimension);
 
 /// @throws UsageError when a format cannot hold merged cells of points of this dimension
 void require_merged(const std::vector<Output>& outputs, int dimension);
+
+/// Writes every output. @throws Cancelled between two of them
+std::vector<Written> write_meshes(const std::vector<Output>& outputs, const io::MeshView& mesh);
+
+/// What became of a row, in a word.
+const char* word(Status status);
+/// Of every row.
+std::vector<std::string> status_words(const AnyTriangulation& triangulation);
+
+/// Fills in the counts.
+void count(const AnyTriangulation& triangulation, Summary& summary);
 
 }  // namespace delone::cli
