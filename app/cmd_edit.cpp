@@ -60,7 +60,7 @@ std::vector<Done> carry_out(AnyTriangulation& t, const io::EditScript& script, s
     try {
       done.push_back(carry_out(t, operation));
     } catch (const InputError& error) {
-      fault = fmt::format("{}:{}: {}", script.name, operation.line, error.what());
+      fault = fmt::format("{}: line {}: {}", script.name, operation.line, error.what());
       return done;
     }
   }

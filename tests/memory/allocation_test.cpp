@@ -9,6 +9,8 @@
 #include "delone/base/errors.hpp"
 #include "delone/build/insert.hpp"
 #include "delone/mesh/archive.hpp"
+#include "delone/remove/move.hpp"
+#include "delone/remove/remove.hpp"
 #include "memory/failing_allocator.hpp"
 #include "support/expectations.hpp"
 #include "support/families.hpp"
@@ -132,6 +134,50 @@ TEST(Allocation, inserting_a_batch_survives_the_failure_of_each) {
     }
   }
   EXPECT_GT(failures, 1000U);
+}
+
+TEST(Allocation, removing_a_point_survives_the_failure_of_each) {
+  std::size_t failures = 0;
+  for (int dimension = 1; dimension <= 4; ++dimension) {
+    for (const PointSet& points : some_families(dimension)) {
+      SCOPED_TRACE(points.name);
+      AnyTriangulation t = built(points);
+      for (std::size_t row = 0; row < points.size(); ++row) {
+        const auto change = [&](AnyTriangulation& changed) { remove(changed, static_cast<Index>(row)); };
+        failures += fail_every_allocation(t, change);
+        change(t);
+      }
+    }
+  }
+  EXPECT_GT(failures, 1000U);
+}
+
+TEST(Allocation, moving_a_point_survives_the_failure_of_each) {
+  std::size_t failures = 0;
+  for (int dimension = 1; dimension <= 4; ++dimension) {
+    for (const PointSet& points : some_families(dimension)) {
+      SCOPED_TRACE(points.name);
+      AnyTriangulation t = built(points);
+      for (std::size_t row = 0; row < points.size(); ++row) {
+        const auto to = t.point(static_cast<Index>((row * 7 + 3) % points.size()));
+        const auto change = [&](AnyTriangulation& changed) { move(changed, static_cast<Index>(row), to); };
+        failures += fail_every_allocation(t, change);
+        change(t);
+      }
+    }
+  }
+  EXPECT_GT(failures, 1000U);
+}
+
+TEST(Allocation, removing_a_batch_survives_the_failure_of_each) {
+  std::size_t failures = 0;
+  for (const PointSet& points : some_families(2)) {
+    SCOPED_TRACE(points.name);
+    const std::vector<Index> few{1, 4, 9}, most{0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+    failures += fail_every_allocation(built(points), [&](AnyTriangulation& t) { remove(t, few); });
+    failures += fail_every_allocation(built(points), [&](AnyTriangulation& t) { remove(t, most); });
+  }
+  EXPECT_GT(failures, 100U);
 }
 
 TEST(Allocation, loading_survives_the_failure_of_each) {
