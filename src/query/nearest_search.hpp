@@ -1,0 +1,193 @@
+// The search for nearest vertices in a complex of dimension K: nearest.hpp says why it is right.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "delone/geometry/compare_distance.hpp"
+#include "delone/query/nearest.hpp"
+#include "query/cell_finder.hpp"
+#include "query/duplicates.hpp"
+#include "query/star.hpp"
+
+namespace delone::query_detail {
+
+/// All sites stand at one place: there is one vertex, and nothing to walk.
+struct NoCellFinder {
+  NoCellFinder(const AnyTriangulation& t, const NumberRange& /*range*/) : view(t.complex()) {}
+  const ConstComplexView<0>& complex() const { return view; }
+  CellId find(const Placed& /*q*/, CellId /*start*/) const {
+    return view.cell(view.twin(view.incident_cell(kGhost), 0));
+  }
+  ConstComplexView<0> view;
+};
+
+/// One thread each. Every query starts where the one before has ended.
+template <int K>
+class NearestSearch {
+ public:
+  /// @param range  from range_with
+  NearestSearch(const AnyTriangulation& t, const NumberRange& range, CellId near)
+      : sites_(&t.sites()), finder_(t, range), distances_(t.sites()), near_(near) {}
+
+  Neighbour nearest(std::span<const double> q) {
+    descend(q);
+    if (!tied_) [[likely]]
+      return {sites_->row(at_), power_.value};
+    collect_tied();
+    for (const VertexId v : tied_vertices_) {
+      if (sites_->row(v) < sites_->row(at_)) at_ = v;
+    }
+    return {sites_->row(at_), distances_.power(at_).value};
+  }
+
+  /// Calls take(row, squared distance) for the k nearest rows, in order.
+  template <class Take>
+  void nearest(std::span<const double> q, std::size_t k, const DuplicateRows& duplicates, Take take) {
+    if (k == 0) return;
+    begin_spreading(q);
+    const auto later = [this](const Candidate& a, const Candidate& b) { return before(b, a); };
+    for (const VertexId v : tied_vertices_) push(v, distances_.power(v), duplicates);
+    std::ranges::make_heap(candidates_, later);
+    while (k != 0 && !candidates_.empty()) {
+      std::ranges::pop_heap(candidates_, later);
+      const Candidate next = candidates_.back();
+      candidates_.pop_back();
+      take(next.row, next.power.value);
+      --k;
+      if (next.row != sites_->row(next.vertex) || k == 0) continue;  // a duplicate: its vertex is spread from
+      for_new_neighbours(next.vertex, [&](VertexId u) {
+        const std::size_t first = candidates_.size();
+        push(u, distances_.power(u), duplicates);
+        for (std::size_t i = first; i < candidates_.size(); ++i) {
+          std::push_heap(candidates_.begin(), candidates_.begin() + static_cast<std::ptrdiff_t>(i) + 1, later);
+        }
+      });
+    }
+  }
+
+  /// Calls take(row, squared distance) for all rows within the radius, in order.
+  template <class Take>
+  void within(std::span<const double> q, double radius, const DuplicateRows& duplicates, Take take) {
+    begin_spreading(q);
+    const auto reach = [&](VertexId v) {
+      const Power power = distances_.power(v);
+      if (distances_.compare_with_radius(v, power, radius) <= 0) push(v, power, duplicates);
+    };
+    for (const VertexId v : tied_vertices_) reach(v);
+    for (std::size_t next = 0; next < candidates_.size(); ++next) {
+      const Candidate from = candidates_[next];
+      if (from.row == sites_->row(from.vertex)) for_new_neighbours(from.vertex, reach);
+    }
+    std::ranges::sort(candidates_, [this](const Candidate& a, const Candidate& b) { return before(a, b); });
+    for (const Candidate& c : candidates_) take(c.row, c.power.value);
+  }
+
+ private:
+  using Finder = std::conditional_t<K == 0, NoCellFinder, CellFinder<K>>;
+
+  struct Candidate {
+    Power power;
+    VertexId vertex;
+    Index row;  // of the vertex, or of one of its duplicates
+  };
+
+  /// By distance, then by row.
+  bool before(const Candidate& a, const Candidate& b) const {
+    const int sign = a.vertex == b.vertex ? 0 : distances_.compare(a.vertex, a.power, b.vertex, b.power);
+    return sign != 0 ? sign < 0 : a.row < b.row;
+  }
+
+  /// Goes down to a nearest vertex; tied_ when there is another.
+  void descend(std::span<const double> q) {
+    const Placed placed = sites_->placed(q);
+    distances_.measure_from(placed);
+    near_ = finder_.find(placed, near_);
+    nearest_of_cell(near_);
+    CellId c = near_;
+    for (VertexId better = at_;; at_ = better) {
+      tied_ = false;
+      for_neighbours<K>(finder_.complex(), at_, c, star_, [&](VertexId u, CellId with_both) {
+        const Power power = distances_.power(u);
+        const int sign = distances_.compare(u, power, at_, power_);
+        tied_ |= sign == 0;
+        if (sign >= 0) return true;
+        better = u;
+        power_ = power;
+        c = with_both;
+        return false;
+      });
+      if (better == at_) return;
+    }
+  }
+
+  /// Without ties in mind: any vertex of the cell is good to begin with.
+  void nearest_of_cell(CellId c) {
+    at_ = kGhost;
+    for (const VertexId v : finder_.complex().vertices(c)) {
+      if (v == kGhost) continue;
+      const Power power = distances_.power(v);
+      if (at_ != kGhost && !(power.value < power_.value)) continue;
+      at_ = v;
+      power_ = power;
+    }
+  }
+
+  /// All vertices as near as at_, which are connected.
+  void collect_tied() {
+    seen_.clear();
+    seen_.insert(raw(at_));
+    tied_vertices_.assign(1, at_);
+    for (std::size_t next = 0; tied_ && next < tied_vertices_.size(); ++next) {
+      for_neighbours_of(tied_vertices_[next], [&](VertexId u) {
+        if (distances_.compare(u, distances_.power(u), at_, power_) != 0) return;
+        if (seen_.insert(raw(u))) tied_vertices_.push_back(u);
+      });
+    }
+  }
+
+  /// The nearest vertices, as seen and as seeds. All of them are: the others have a nearer neighbour, so that each is
+  /// met before its turn, whatever its row; these have not.
+  void begin_spreading(std::span<const double> q) {
+    descend(q);
+    collect_tied();
+    candidates_.clear();
+  }
+
+  template <class Take>
+  void for_neighbours_of(VertexId v, Take take) {
+    for_neighbours<K>(finder_.complex(), v, finder_.complex().incident_cell(v), star_, [&](VertexId u, CellId) {
+      take(u);
+      return true;
+    });
+  }
+  template <class Take>
+  void for_new_neighbours(VertexId v, Take take) {
+    for_neighbours_of(v, [&](VertexId u) {
+      if (seen_.insert(raw(u))) take(u);
+    });
+  }
+
+  void push(VertexId v, Power power, const DuplicateRows& duplicates) {
+    candidates_.push_back({power, v, sites_->row(v)});
+    duplicates.for_each(v, [&](Index row) { candidates_.push_back({power, v, row}); });
+  }
+
+  const Sites* sites_;
+  Finder finder_;
+  Distances<K> distances_;
+  CellId near_;
+  VertexId at_ = kGhost;  // where the descent has come, and its distance
+  Power power_{};
+  bool tied_ = false;
+  StarScratch star_;
+  IdSet seen_;
+  std::vector<VertexId> tied_vertices_;
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace delone::query_detail
