@@ -17,23 +17,6 @@ namespace {
 
 std::size_t size(int n) { return static_cast<std::size_t>(n); }
 
-/// Coordinates of the vertices of one finite cell: they span the flat of all points.
-std::vector<double> spanning_points(const AnyTriangulation& t) {
-  std::vector<double> points;
-  const Complex& complex = t.complex();
-  const CellId ghost = complex.incident_cell(kGhost);
-  if (ghost == kNoCell) return points;
-  int opposite = 0;
-  while (complex.vertex(ghost, opposite) != kGhost) ++opposite;
-  const CellId finite = complex.cell(complex.twin(ghost, opposite));
-  for (int i = 0; i < complex.corners(); ++i) {
-    for (int axis = 0; axis < t.dimension(); ++axis) {
-      points.push_back(t.sites().coordinate(complex.vertex(finite, i), axis));
-    }
-  }
-  return points;
-}
-
 bool leave_flat(const AnyTriangulation& t, PointsView batch) {
   if (t.affine_dimension() == t.dimension()) return false;
   std::vector<double> points = spanning_points(t);

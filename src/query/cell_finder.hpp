@@ -37,11 +37,10 @@ class CellFinder {
   CellId find(const Placed& q, CellId start) {
     if (start == kNoCell) start = cell_of_near_sample(q);
     DELONE_ASSERT(complex_.is_live(start), "a walk begins at a live cell");
-    WalkStats stats;
     if (in_range(q)) [[likely]]
-      return walk(complex_, kernel_, q.data(), start, stats);
+      return walk_with(kernel_, q, start);
     Kernel<K> own = kernel_for(q);
-    return walk(complex_, own, q.data(), start, stats);
+    return walk_with(own, q, start);
   }
 
   /// Calls f(kernel) with a kernel whose range holds q.
@@ -53,6 +52,10 @@ class CellFinder {
   }
 
  private:
+  [[gnu::noinline]] CellId walk_with(Kernel<K>& kernel, const Placed& q, CellId start) const {
+    WalkStats stats;
+    return walk(complex_, kernel, q.data(), start, stats);
+  }
   /// The queries that range_with has included.
   bool in_range(const Placed& q) const {
     double largest = 0.0;

@@ -9,23 +9,26 @@
 
 namespace delone::query_detail {
 
+/// Has no memory before it is first emptied, which must come before it is first used.
 class IdSet {
  public:
   void clear() {
     size_ = 0;
+    if (slots_.empty()) slots_.resize(256);
     if (++round_ == 0) {
       slots_.assign(slots_.size(), Slot{});
       round_ = 1;
     }
   }
   /// Whether `id` was not there yet.
-  bool insert(Index id) {
-    std::size_t i = place(id);
-    for (; slots_[i].round == round_; i = (i + 1) & mask()) {
-      if (slots_[i].id == id) return false;
+  [[gnu::always_inline]] bool insert(Index id) {
+    Slot* slot = place(id);
+    while (slot->round == round_) {
+      if (slot->id == id) return false;
+      if (++slot == slots_.data() + slots_.size()) slot = slots_.data();
     }
-    slots_[i] = {id, round_};
-    if (++size_ * 2 > slots_.size()) [[unlikely]]
+    *slot = {id, round_};
+    if (++size_ * 4 > slots_.size()) [[unlikely]]
       grow();
     return true;
   }
@@ -35,23 +38,22 @@ class IdSet {
     Index id = 0;
     std::uint32_t round = 0;
   };
-  std::size_t mask() const { return slots_.size() - 1; }
   /// Neighbouring cells have neighbouring ids as often as not: the product spreads them.
-  std::size_t place(Index id) const {
-    return static_cast<std::size_t>((static_cast<std::uint64_t>(id) * 0x9E3779B97F4A7C15U) >> 32) & mask();
-  }
-  void grow() {
+  Slot* place(Index id) { return slots_.data() + (static_cast<std::uint64_t>(id) * 0x9E3779B97F4A7C15U >> shift_); }
+  [[gnu::noinline]] void grow() {
     std::vector<Slot> old(2 * slots_.size());
     old.swap(slots_);
+    --shift_;
     size_ = 0;
     for (const Slot& slot : old) {
       if (slot.round == round_) insert(slot.id);
     }
   }
 
-  std::vector<Slot> slots_ = std::vector<Slot>(128);
+  std::vector<Slot> slots_;
+  int shift_ = 64 - 8;
   std::size_t size_ = 0;
-  std::uint32_t round_ = 1;
+  std::uint32_t round_ = 0;
 };
 
 }  // namespace delone::query_detail

@@ -12,7 +12,7 @@
 #include "delone/query/nearest.hpp"
 #include "query/cell_finder.hpp"
 #include "query/duplicates.hpp"
-#include "query/star.hpp"
+#include "query/neighbours.hpp"
 
 namespace delone::query_detail {
 
@@ -31,10 +31,16 @@ template <int K>
 class NearestSearch {
  public:
   /// @param range  from range_with
-  NearestSearch(const AnyTriangulation& t, const NumberRange& range, CellId near)
-      : sites_(&t.sites()), finder_(t, range), distances_(t.sites()), near_(near) {}
+  /// @param near   a live cell near the first query, or kNoCell
+  /// @param kept   how many vertices' neighbours are kept: few for one query, many for queries along a curve
+  NearestSearch(const AnyTriangulation& t, const NumberRange& range, CellId near, std::size_t kept)
+      : sites_(&t.sites()),
+        finder_(t, range),
+        distances_(t.sites()),
+        neighbours_(finder_.complex(), kept),
+        near_(near) {}
 
-  Neighbour nearest(std::span<const double> q) {
+  [[gnu::noinline]] Neighbour nearest(std::span<const double> q) {
     descend(q);
     if (!tied_) [[likely]]
       return {sites_->row(at_), power_.value};
@@ -45,34 +51,36 @@ class NearestSearch {
     return {sites_->row(at_), distances_.power(at_).value};
   }
 
-  /// Calls take(row, squared distance) for the k nearest rows, in order.
-  template <class Take>
-  void nearest(std::span<const double> q, std::size_t k, const DuplicateRows& duplicates, Take take) {
-    if (k == 0) return;
+  /// The k nearest rows, in order; valid until the next call.
+  std::span<const Neighbour> nearest(std::span<const double> q, std::size_t k, const DuplicateRows& duplicates) {
+    found_.clear();
+    if (k == 0) return found_;
     begin_spreading(q);
     const auto later = [this](const Candidate& a, const Candidate& b) { return before(b, a); };
     for (const VertexId v : tied_vertices_) push(v, distances_.power(v), duplicates);
     std::ranges::make_heap(candidates_, later);
-    while (k != 0 && !candidates_.empty()) {
+    while (!candidates_.empty()) {
       std::ranges::pop_heap(candidates_, later);
       const Candidate next = candidates_.back();
       candidates_.pop_back();
-      take(next.row, next.power.value);
-      --k;
-      if (next.row != sites_->row(next.vertex) || k == 0) continue;  // a duplicate: its vertex is spread from
-      for_new_neighbours(next.vertex, [&](VertexId u) {
+      found_.push_back({next.row, next.power.value});
+      if (found_.size() == k) break;
+      if (next.row != sites_->row(next.vertex)) continue;  // a duplicate: its vertex is spread from
+      for (const VertexId u : neighbours_(next.vertex)) {
+        if (!seen_.insert(raw(u))) continue;
         const std::size_t first = candidates_.size();
         push(u, distances_.power(u), duplicates);
         for (std::size_t i = first; i < candidates_.size(); ++i) {
           std::push_heap(candidates_.begin(), candidates_.begin() + static_cast<std::ptrdiff_t>(i) + 1, later);
         }
-      });
+      }
     }
+    return found_;
   }
 
-  /// Calls take(row, squared distance) for all rows within the radius, in order.
-  template <class Take>
-  void within(std::span<const double> q, double radius, const DuplicateRows& duplicates, Take take) {
+  /// All rows within the radius, in order; valid until the next call.
+  std::span<const Neighbour> within(std::span<const double> q, double radius, const DuplicateRows& duplicates) {
+    found_.clear();
     begin_spreading(q);
     const auto reach = [&](VertexId v) {
       const Power power = distances_.power(v);
@@ -81,10 +89,14 @@ class NearestSearch {
     for (const VertexId v : tied_vertices_) reach(v);
     for (std::size_t next = 0; next < candidates_.size(); ++next) {
       const Candidate from = candidates_[next];
-      if (from.row == sites_->row(from.vertex)) for_new_neighbours(from.vertex, reach);
+      if (from.row != sites_->row(from.vertex)) continue;
+      for (const VertexId u : neighbours_(from.vertex)) {
+        if (seen_.insert(raw(u))) reach(u);
+      }
     }
     std::ranges::sort(candidates_, [this](const Candidate& a, const Candidate& b) { return before(a, b); });
-    for (const Candidate& c : candidates_) take(c.row, c.power.value);
+    for (const Candidate& c : candidates_) found_.push_back({c.row, c.power.value});
+    return found_;
   }
 
  private:
@@ -103,30 +115,45 @@ class NearestSearch {
   }
 
   /// Goes down to a nearest vertex; tied_ when there is another.
-  void descend(std::span<const double> q) {
+  [[gnu::noinline]] void descend(std::span<const double> q) {
     const Placed placed = sites_->placed(q);
     distances_.measure_from(placed);
-    near_ = finder_.find(placed, near_);
-    nearest_of_cell(near_);
-    CellId c = near_;
-    for (VertexId better = at_;; at_ = better) {
-      tied_ = false;
-      for_neighbours<K>(finder_.complex(), at_, c, star_, [&](VertexId u, CellId with_both) {
-        const Power power = distances_.power(u);
-        const int sign = distances_.compare(u, power, at_, power_);
-        tied_ |= sign == 0;
-        if (sign >= 0) return true;
-        better = u;
-        power_ = power;
-        c = with_both;
-        return false;
-      });
-      if (better == at_) return;
+    bool walked = at_ == kGhost;
+    if (walked) {
+      begin_at(finder_.find(placed, near_));
+    } else {
+      power_ = distances_.power(at_);
+    }
+    for (;;) {
+      // A walk costs less than the star of a vertex, and most often it ends at a cell of the nearest.
+      if (!walked && !neighbours_.knows(at_)) {
+        walked = true;
+        begin_at(finder_.find(placed, finder_.complex().incident_cell(at_)));
+      }
+      if (!step_down()) return;
     }
   }
 
-  /// Without ties in mind: any vertex of the cell is good to begin with.
-  void nearest_of_cell(CellId c) {
+  /// To the nearest neighbour, if it is nearer.
+  bool step_down() {
+    VertexId best = at_;
+    Power least = power_;
+    tied_ = false;
+    for (const VertexId u : neighbours_(at_)) {
+      const Power power = distances_.power(u);
+      if (power.value - power.error > least.value + least.error) continue;
+      const int sign = distances_.compare(u, power, best, least);
+      tied_ |= sign == 0;
+      if (sign >= 0) continue;
+      best = u;
+      least = power;
+    }
+    power_ = least;
+    return std::exchange(at_, best) != best;
+  }
+
+  /// At the nearest vertex of a cell, rounding errors aside: any is good to begin with.
+  void begin_at(CellId c) {
     at_ = kGhost;
     for (const VertexId v : finder_.complex().vertices(c)) {
       if (v == kGhost) continue;
@@ -138,15 +165,15 @@ class NearestSearch {
   }
 
   /// All vertices as near as at_, which are connected.
-  void collect_tied() {
+  [[gnu::noinline]] void collect_tied() {
     seen_.clear();
     seen_.insert(raw(at_));
     tied_vertices_.assign(1, at_);
     for (std::size_t next = 0; tied_ && next < tied_vertices_.size(); ++next) {
-      for_neighbours_of(tied_vertices_[next], [&](VertexId u) {
-        if (distances_.compare(u, distances_.power(u), at_, power_) != 0) return;
+      for (const VertexId u : neighbours_(tied_vertices_[next])) {
+        if (distances_.compare(u, distances_.power(u), at_, power_) != 0) continue;
         if (seen_.insert(raw(u))) tied_vertices_.push_back(u);
-      });
+      }
     }
   }
 
@@ -158,20 +185,6 @@ class NearestSearch {
     candidates_.clear();
   }
 
-  template <class Take>
-  void for_neighbours_of(VertexId v, Take take) {
-    for_neighbours<K>(finder_.complex(), v, finder_.complex().incident_cell(v), star_, [&](VertexId u, CellId) {
-      take(u);
-      return true;
-    });
-  }
-  template <class Take>
-  void for_new_neighbours(VertexId v, Take take) {
-    for_neighbours_of(v, [&](VertexId u) {
-      if (seen_.insert(raw(u))) take(u);
-    });
-  }
-
   void push(VertexId v, Power power, const DuplicateRows& duplicates) {
     candidates_.push_back({power, v, sites_->row(v)});
     duplicates.for_each(v, [&](Index row) { candidates_.push_back({power, v, row}); });
@@ -180,14 +193,15 @@ class NearestSearch {
   const Sites* sites_;
   Finder finder_;
   Distances<K> distances_;
+  Neighbours<K> neighbours_;
   CellId near_;
   VertexId at_ = kGhost;  // where the descent has come, and its distance
   Power power_{};
   bool tied_ = false;
-  StarScratch star_;
   IdSet seen_;
   std::vector<VertexId> tied_vertices_;
   std::vector<Candidate> candidates_;
+  std::vector<Neighbour> found_;
 };
 
 }  // namespace delone::query_detail

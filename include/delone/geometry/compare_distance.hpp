@@ -4,10 +4,10 @@
 // coordinates count; the kernel's K leading ones are only where they stand.
 //
 // Error bound, u = 2^-53, n = D coordinates. A difference carries one rounding (and never underflows), its square two
-// and one more, a sum of n squares n - 1 more: (n + 2) u times the sum s, to first order. Subtracting w adds u (s + |w|),
-// and so does moving the value by its error, as comparisons do. In all (n + 4) u (s + |w|); one more u covers what is of
-// second order. Squares that underflow are off by 2^-1075 each, which the absolute part covers. What overflows makes
-// value and error infinite, and the comparisons below then say "unsure".
+// and one more, a sum of n squares n - 1 more: (n + 2) u times the sum s, to first order. Subtracting w adds u (s +
+// |w|), and so does moving the value by its error, as comparisons do. In all (n + 4) u (s + |w|); one more u covers
+// what is of second order. Squares that underflow are off by 2^-1075 each, which the absolute part covers. What
+// overflows makes value and error infinite, and the comparisons below then say "unsure".
 #pragma once
 
 #include <array>
@@ -52,6 +52,7 @@ class Distances {
         others_(sites.others()),
         weights_(sites.weights()),
         other_count_(static_cast<std::size_t>(sites.dimension() - K)),
+        plain_(other_count_ == 0 && weights_ == nullptr),
         bound_((sites.dimension() + 5) * filter::kU) {}
 
   /// From here on distances are those from q. @param q  as Sites::placed gives it
@@ -61,6 +62,8 @@ class Distances {
     const double* p = x_ + raw(v) * kLeading;
     double square = 0.0;
     for (std::size_t j = 0; j < kLeading; ++j) square += (p[j] - q_[j]) * (p[j] - q_[j]);
+    if (plain_) [[likely]]
+      return {square, bound_ * square + kSlack};
     for (std::size_t j = 0; j < other_count_; ++j) {
       const double e = others_[raw(v) * other_count_ + j] - q_[kLeading + j];
       square += e * e;
@@ -128,6 +131,7 @@ class Distances {
   const double* others_;
   const double* weights_;
   std::size_t other_count_;
+  bool plain_;  // no others, no weights
   double bound_;
   std::array<double, kMaxDimension> q_{};
 };
