@@ -130,7 +130,10 @@ void report_queries(const QueryInput& input, const QueryRun& run,
   std::size_t width = 0;
   for (const auto& [name, count] : lines) width = std::max(width, grouped(count).size());
   std::string text;
-  for (const auto& [name, count] : lines) text += fmt::format("{:<12}  {:>{}}\n", name, grouped(count), width);
+  for (auto& [name, count] : lines) {
+    std::ranges::replace(name, '_', ' ');
+    text += fmt::format("{:<12}  {:>{}}\n", name, grouped(count), width);
+  }
   text += fmt::format("{:<12}  {:.2f} s (read {:.2f}, triangulate {:.2f}, query {:.2f}, write {:.2f})\n", "time",
                       run.read_seconds + run.triangulate_seconds + run.query_seconds + run.write_seconds,
                       run.read_seconds, run.triangulate_seconds, run.query_seconds, run.write_seconds);
