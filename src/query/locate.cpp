@@ -1,6 +1,6 @@
 #include "delone/query/locate.hpp"
 
-#include <algorithm>
+#include <cstddef>
 
 #include "delone/base/arithmetic.hpp"
 #include "delone/base/dispatch.hpp"
@@ -13,6 +13,12 @@ namespace {
 
 using query_detail::CellFinder;
 using query_detail::Placed;
+
+void insert_sorted(Location& location, Index row) {
+  std::size_t at = location.row_count++;
+  for (; at > 0 && location.corners[at - 1] > row; --at) location.corners[at] = location.corners[at - 1];
+  location.corners[at] = row;
+}
 
 /// One thread each. Every query starts where the one before has ended.
 template <int K>
@@ -46,11 +52,10 @@ class Locating {
     Location location{.place = Place::face, .cell = c};
     for (int i = 0; i <= K; ++i) {
       if (kernel.orient(vertices, i, q.data()) == 0) continue;
-      location.corners[location.row_count++] = t_->row(vertices[static_cast<std::size_t>(i)]);
+      insert_sorted(location, t_->row(vertices[static_cast<std::size_t>(i)]));
     }
     if (location.row_count == 1) location.place = Place::vertex;
     if (location.row_count == K + 1) location.place = Place::cell;
-    std::sort(location.corners.begin(), location.corners.begin() + location.row_count);
     return location;
   }
 
