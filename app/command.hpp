@@ -29,6 +29,8 @@ using Command = std::function<int()>;
 void add_triangulate(CLI::App& app, Command& chosen);
 void add_info(CLI::App& app, Command& chosen);
 void add_check(CLI::App& app, Command& chosen);
+void add_nearest(CLI::App& app, Command& chosen);
+void add_locate(CLI::App& app, Command& chosen);
 void add_generate(CLI::App& app, Command& chosen);
 void add_edit(CLI::App& app, Command& chosen);
 

@@ -52,6 +52,8 @@ int parse_and_run(int argc, char** argv) {
   cli::add_triangulate(app, command);
   cli::add_info(app, command);
   cli::add_check(app, command);
+  cli::add_nearest(app, command);
+  cli::add_locate(app, command);
   cli::add_generate(app, command);
   cli::add_edit(app, command);
   if (argc < 2) {

@@ -11,16 +11,19 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <exception>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <thread>
+#include <utility>
 #include <vector>
 
+#include "bench/describe.hpp"
+
 namespace {
+
+using delone::bench::number;
+using delone::bench::Spread;
 
 struct Workload {
   std::string title;
@@ -45,29 +48,16 @@ struct Contestant {
   std::vector<Sample> samples{};
 };
 
-struct Spread {
-  double median = 0, least = 0, most = 0;
-};
-
 Spread spread(const std::vector<Sample>& samples) {
   std::vector<double> seconds;
   for (const Sample& s : samples) seconds.push_back(s.seconds);
-  std::ranges::sort(seconds);
-  const std::size_t half = seconds.size() / 2;
-  const double median = seconds.size() % 2 == 1 ? seconds[half] : (seconds[half - 1] + seconds[half]) / 2;
-  return {median, seconds.front(), seconds.back()};
+  return delone::bench::spread(std::move(seconds));
 }
 
 /// Runs that stayed disturbed however often they were repeated.
 int disturbed = 0;
 
 double median(const Contestant& c) { return spread(c.samples).median; }
-
-std::string number(double x, int digits) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", digits, x);
-  return text.data();
-}
 
 std::string seconds_text(const Contestant& c) {
   if (c.samples.empty()) return "";
@@ -327,30 +317,8 @@ std::string report_large(const Options& o, std::vector<Verdict>& verdicts) {
   return text;
 }
 
-/// The value of the first line of a file that starts with `key`, after the colon or equals sign.
-std::string line_value(const char* path, const std::string& key) {
-  std::ifstream file(path);
-  for (std::string line; std::getline(file, line);) {
-    if (!line.starts_with(key)) continue;
-    const std::size_t at = line.find_first_of(":=");
-    std::string value = line.substr(at + 1);
-    value.erase(0, value.find_first_not_of(" \t\""));
-    value.erase(value.find_last_not_of(" \t\"") + 1);
-    return value;
-  }
-  return "unknown";
-}
-
 std::string header(const Options& o) {
-  const std::time_t now = std::time(nullptr);
-  std::array<char, 32> date{};
-  std::strftime(date.data(), date.size(), "%Y-%m-%d", std::gmtime(&now));
-  const double gib = std::strtod(line_value("/proc/meminfo", "MemTotal").c_str(), nullptr) / (1024 * 1024);
-
-  std::string text = "# Results\n\nWritten by `make bench` on " + std::string(date.data()) +
-                     (o.quick ? ", QUICK" : "") + ".\n\n* machine: " + line_value("/proc/cpuinfo", "model name") +
-                     ", " + std::to_string(std::thread::hardware_concurrency()) + " processors, " + number(gib, 0) +
-                     " GiB, " + line_value("/etc/os-release", "PRETTY_NAME") + "\n";
+  std::string text = "# Results\n\n" + delone::bench::when_and_where(o.quick ? ", QUICK" : "");
   std::istringstream versions(output_of({o.native, "--versions"}));
   for (std::string line; std::getline(versions, line);) text += "* " + line + "\n";
   std::istringstream portable(output_of({o.portable, "--versions"}));

@@ -3,6 +3,7 @@
 // public headers.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
@@ -58,6 +59,25 @@ Int to_integer(Scaled x, int unit) {
 template <class Int>
 int sign(const Int& x) {
   return x > 0 ? 1 : (x < 0 ? -1 : 0);
+}
+
+inline int bit_width(std::int64_t x) {
+  return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(x < 0 ? -x : x)));
+}
+
+/// Calls f with an integer type of at least `bits` bits and a sign.
+template <class F>
+int with_integer(int bits, F&& f) {
+  if (bits < 127) return f(Int128{});
+  if (bits < 255) return f(FixedInt<256>{});
+  if (bits < 511) return f(FixedInt<512>{});
+  return f(BigInt{});
+}
+
+/// Lowers `unit` so that 2^(unit * share) divides x.
+inline void lower_unit(int& unit, Scaled x, int share = 1) {
+  const int floored = x.exponent >= 0 ? x.exponent / share : -((share - 1 - x.exponent) / share);
+  if (x.mantissa != 0) unit = std::min(unit, floored);
 }
 
 }  // namespace delone::exact

@@ -15,9 +15,10 @@ namespace delone {
 namespace {
 
 using exact::BigInt;
-using exact::FixedInt;
-using exact::Int128;
+using exact::bit_width;
+using exact::lower_unit;
 using exact::Scaled;
+using exact::with_integer;
 
 constexpr std::size_t size(int n) { return static_cast<std::size_t>(n); }
 
@@ -26,17 +27,6 @@ constexpr double factorial(int n) { return n <= 1 ? 1.0 : n * factorial(n - 1); 
 /// Bits of the sum of n! products: a determinant of n columns with entries of b_j bits has at most sum(b_j) + this.
 constexpr int determinant_slack(int n) {
   return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(factorial(n)))) + 1;
-}
-
-int bit_width(std::int64_t x) { return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(x < 0 ? -x : x))); }
-
-/// Calls f with an integer type of at least `bits` bits and a sign.
-template <class F>
-int with_integer(int bits, F&& f) {
-  if (bits < 127) return f(Int128{});
-  if (bits < 255) return f(FixedInt<256>{});
-  if (bits < 511) return f(FixedInt<512>{});
-  return f(BigInt{});
 }
 
 /// det(rows 1..K minus row 0) in integers.
@@ -110,12 +100,6 @@ template <int K>
 int double_double_conflict(const SiteRefs<K, K + 2>& s) {
   const bool plain = s.other_count == 0 && !s.weighted;
   return plain ? double_double_conflict<K, true>(s) : double_double_conflict<K, false>(s);
-}
-
-/// Lowers `unit` so that 2^(unit * share) divides x.
-void lower_unit(int& unit, Scaled x, int share = 1) {
-  const int floored = x.exponent >= 0 ? x.exponent / share : -((share - 1 - x.exponent) / share);
-  if (x.mantissa != 0) unit = std::min(unit, floored);
 }
 
 }  // namespace

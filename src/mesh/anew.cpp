@@ -7,27 +7,6 @@
 #include "mesh/incremental.hpp"
 
 namespace delone {
-namespace {
-
-/// Coordinates of the vertices of one finite cell: they span the flat of all points.
-std::vector<double> spanning_points(const AnyTriangulation& t) {
-  const auto d = static_cast<std::size_t>(t.dimension());
-  std::vector<double> points;
-  const Complex& complex = t.complex();
-  const CellId ghost = complex.incident_cell(kGhost);
-  if (ghost == kNoCell) return points;
-  int opposite = 0;
-  while (complex.vertex(ghost, opposite) != kGhost) ++opposite;
-  const CellId finite = complex.cell(complex.twin(ghost, opposite));
-  for (int i = 0; i < complex.corners(); ++i) {
-    points.resize(points.size() + d);
-    t.sites().copy_point(complex.vertex(finite, i), std::span(points).last(d));
-  }
-  return points;
-}
-
-}  // namespace
-
 AnyTriangulation triangulated(PointsView points, int threads, const Progress& progress) {
   Mesh mesh = triangulate_points(points, threads, progress);
   Stopwatch watch;

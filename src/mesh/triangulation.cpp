@@ -92,4 +92,20 @@ std::vector<CellId> AnyTriangulation::star(VertexId v) const {
   return cells;
 }
 
+std::vector<double> spanning_points(const AnyTriangulation& t) {
+  std::vector<double> points;
+  const Complex& complex = t.complex();
+  const CellId ghost = complex.incident_cell(kGhost);
+  if (ghost == kNoCell) return points;
+  int opposite = 0;
+  while (complex.vertex(ghost, opposite) != kGhost) ++opposite;
+  const CellId finite = complex.cell(complex.twin(ghost, opposite));
+  for (int i = 0; i < complex.corners(); ++i) {
+    for (int axis = 0; axis < t.dimension(); ++axis) {
+      points.push_back(t.sites().coordinate(complex.vertex(finite, i), axis));
+    }
+  }
+  return points;
+}
+
 }  // namespace delone

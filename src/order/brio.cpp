@@ -135,12 +135,8 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
   }
 }
 
-}  // namespace
-
-std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int threads) {
+std::vector<Index> order_in_rounds(PointsView points, std::span<const int> axes, int rounds, int threads) {
   KeyedRows rows(points.size());
-  int rounds = 0;
-  for (std::size_t n = points.size(); n > 4096; n /= 8) ++rounds;
   if (!axes.empty()) {
     with_dimension<1>(static_cast<int>(axes.size()),
                       [&](auto dimension) { sort_along_curve<dimension>(points, axes, rows, rounds, threads); });
@@ -148,6 +144,18 @@ std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int 
   std::vector<Index> order(rows.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = rows.row(i);
   return order;
+}
+
+}  // namespace
+
+std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int threads) {
+  int rounds = 0;
+  for (std::size_t n = points.size(); n > 4096; n /= 8) ++rounds;
+  return order_in_rounds(points, axes, rounds, threads);
+}
+
+std::vector<Index> curve_order(PointsView points, std::span<const int> axes, int threads) {
+  return order_in_rounds(points, axes, 0, threads);
 }
 
 }  // namespace delone

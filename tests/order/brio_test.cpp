@@ -90,5 +90,25 @@ TEST(Brio, a_crowd_is_ordered_as_finely_as_everything_else) {
   EXPECT_LT(roughness(points, order), 2.0);
 }
 
+TEST(CurveOrder, is_a_permutation_and_visits_near_points_one_after_the_other) {
+  for (int dimension = 1; dimension <= 8; ++dimension) {
+    for (const PointSet& points : unweighted_families(dimension, 300, 1)) {
+      EXPECT_TRUE(is_permutation_of_rows(curve_order(points.view(), all_axes(dimension)), points.size()))
+          << points.name;
+    }
+  }
+  // A lattice of 64 x 64: each step of Hilbert's curve leads to the next point of it. In rounds it could not.
+  PointSet lattice{"lattice", 2, {}};
+  for (int x = 0; x < 64; ++x) {
+    for (int y = 0; y < 64; ++y) lattice.coordinates.insert(lattice.coordinates.end(), {double(x), double(y)});
+  }
+  const std::vector<Index> order = curve_order(lattice.view(), all_axes(2));
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const auto a = lattice.view()[order[i - 1]];
+    const auto b = lattice.view()[order[i]];
+    EXPECT_EQ(std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]), 1.0);
+  }
+}
+
 }  // namespace
 }  // namespace delone

@@ -64,6 +64,15 @@ class Sites {
                      : others_[raw(v) * (static_cast<std::size_t>(dimension_) - k) + place - k];
   }
 
+  /// The D coordinates of a point as sites keep theirs: the leading ones, then the others.
+  std::array<double, kMaxDimension> placed(std::span<const double> point) const {
+    std::array<double, kMaxDimension> x{};
+    for (std::size_t place = 0; place < point.size(); ++place) {
+      x[place] = point[static_cast<std::size_t>(axis_at_place_[place])];
+    }
+    return x;
+  }
+
   Index row(VertexId v) const { return row_of_[raw(v)]; }
   bool is_removed(Index row) const { return vertex_of_[row] == kNone; }
   /// Of a row that is not removed.

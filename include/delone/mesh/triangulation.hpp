@@ -116,6 +116,9 @@ class AnyTriangulation {
   Mesh mesh_;
 };
 
+/// Coordinates of the vertices of one finite cell: they span the flat of all points. Nothing without points.
+std::vector<double> spanning_points(const AnyTriangulation& t);
+
 /// The same with the dimension in the type.
 template <int D>
 class Triangulation : public AnyTriangulation {

@@ -18,8 +18,8 @@ struct WalkStats {
 };
 
 /// The closed cell that contains q (see walk), by looking at every cell.
-template <int K>
-CellId exhaustive_locate(const ComplexView<K>& complex, Kernel<K>& kernel, const double* q) {
+template <int K, class C>
+CellId exhaustive_locate(const ComplexView<K, C>& complex, Kernel<K>& kernel, const double* q) {
   for (std::size_t s = 0; s < complex.slot_count(); ++s) {
     const CellId c{static_cast<Index>(s)};
     if (!complex.is_live(c)) continue;
@@ -44,8 +44,8 @@ struct Outside {
 
 /// From ghost cell c a few steps along the hull towards q, each across the ridge opposite the vertex farthest from q.
 /// A shortcut for points in convex position, where the way through the inside leads round long fans.
-template <int K>
-Outside walk_outside(const ComplexView<K>& complex, Kernel<K>& kernel, const double* q, CellId c) {
+template <int K, class C>
+Outside walk_outside(const ComplexView<K, C>& complex, Kernel<K>& kernel, const double* q, CellId c) {
   constexpr int kSteps = K == 2 ? 256 : 8;  // in the plane they lead straight, above they may circle
   CellId last = kNoCell;
   for (int step = 0; step < kSteps; ++step) {
@@ -70,8 +70,8 @@ Outside walk_outside(const ComplexView<K>& complex, Kernel<K>& kernel, const dou
 /// The closed cell that contains q: finite if q lies in the hull, else a ghost cell whose facet q lies strictly beyond.
 /// @param q      K leading coordinates, of a site or of any other point in the range that the kernel knows
 /// @param start  any live cell; a near one is fast
-template <int K>
-CellId walk(const ComplexView<K>& complex, Kernel<K>& kernel, const double* q, CellId start, WalkStats& stats) {
+template <int K, class C>
+CellId walk(const ComplexView<K, C>& complex, Kernel<K>& kernel, const double* q, CellId start, WalkStats& stats) {
   CellId c = start;
   if (complex.is_ghost(c)) {
     const Outside outside = walk_outside(complex, kernel, q, c);

@@ -17,4 +17,7 @@ namespace delone {
 /// Cost: O(n), a radix sort; where points crowd into one cell of the grid the crowd is sorted again on a finer grid.
 std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int threads = 1);
 
+/// The same without rounds: all rows along one curve. For queries, each of which starts where the last one ended.
+std::vector<Index> curve_order(PointsView points, std::span<const int> axes, int threads = 1);
+
 }  // namespace delone

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <type_traits>
 
 #include "delone/base/assert.hpp"
 #include "delone/base/buffer.hpp"
@@ -61,7 +62,7 @@ class Complex {
   void rebuild_incidence();
 
  private:
-  template <int K>
+  template <int K, class C>
   friend class ComplexView;
 
   static constexpr Index kDead = kNone - 1;  // stands in the first vertex of a dead cell
@@ -78,12 +79,14 @@ class Complex {
 };
 
 /// The complex with its dimension known to the compiler; cheap to copy, valid as long as the complex.
-template <int K>
+/// A view of a const complex is for reading: its changes do not compile.
+template <int K, class C = Complex>
 class ComplexView {
   static constexpr Index kCorners = K + 1;
+  using Id = std::conditional_t<std::is_const_v<C>, const Index, Index>;
 
  public:
-  explicit ComplexView(Complex& complex) : complex_(&complex) {
+  explicit ComplexView(C& complex) : complex_(&complex) {
     DELONE_ASSERT(complex.dimension() == K, "the view has the dimension of the complex");
   }
 
@@ -186,9 +189,12 @@ class ComplexView {
  private:
   /// Where the vertex opposite f stands; its twin stands kCorners further.
   static std::size_t place(FacetId f) { return raw(f) + std::size_t{kCorners} * raw(cell(f)); }
-  Index* base(CellId c) const { return complex_->ids_.data() + raw(c) * (2 * std::size_t{kCorners}); }
+  Id* base(CellId c) const { return complex_->ids_.data() + raw(c) * (2 * std::size_t{kCorners}); }
 
-  Complex* complex_;
+  C* complex_;
 };
+
+template <int K>
+using ConstComplexView = ComplexView<K, const Complex>;
 
 }  // namespace delone

@@ -1,0 +1,174 @@
+// Nearest neighbours beside nanoflann: both take turns on the same points and queries, round after round, in one
+// process. Prints bench/QUERIES.md.
+//   bench_queries [--quick]
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/describe.hpp"
+#include "bench/peer.hpp"
+#include "bench/query_peer.hpp"
+#include "delone/build/build.hpp"
+#include "delone/order/brio.hpp"
+#include "delone/query/nearest.hpp"
+
+namespace {
+
+using namespace delone;
+using bench::number;
+
+struct Sample {
+  double seconds = 0;
+  double processor = 0;
+};
+
+Sample timed(const std::function<void()>& work) {
+  const bench::Clock clock;
+  work();
+  bench::Run run;
+  clock.stop(run);
+  return {run.seconds, run.processor};
+}
+
+/// Runs that something else disturbed are repeated; what stays disturbed is counted.
+int disturbed = 0;
+
+double undisturbed_seconds(const std::function<void()>& work) {
+  Sample sample = timed(work);
+  for (int again = 0; again < 3 && sample.processor < 0.97 * sample.seconds; ++again) sample = timed(work);
+  if (sample.processor < 0.97 * sample.seconds) ++disturbed;
+  return sample.seconds;
+}
+
+std::vector<double> uniform(std::size_t count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<double> x(count);
+  for (double& value : x) value = static_cast<double>(random() >> 11) * 0x1p-53;
+  return x;
+}
+
+std::vector<double> along_curve(PointsView points) {
+  const std::vector<int> axes{0, 1, 2};
+  std::vector<double> sorted;
+  for (const Index row : curve_order(points, std::span(axes).first(static_cast<std::size_t>(points.dimension())))) {
+    sorted.insert(sorted.end(), points[row].begin(), points[row].end());
+  }
+  return sorted;
+}
+
+struct Task {
+  std::string what;
+  std::size_t queries;
+  std::function<void()> ours, theirs;  // theirs may be empty
+  std::vector<double> our_seconds{}, their_seconds{};
+};
+
+std::string microseconds(const std::vector<double>& seconds, std::size_t queries) {
+  if (seconds.empty()) return "";
+  const auto s = bench::spread(seconds);
+  const double scale = 1e6 / static_cast<double>(queries);
+  return number(s.median * scale, 2) + " (" + number(s.least * scale, 2) + "-" + number(s.most * scale, 2) + ")";
+}
+
+void report(int dimension, std::size_t n, int rounds) {
+  const auto d = static_cast<std::size_t>(dimension);
+  const std::vector<double> coordinates = uniform(n * d, 1);
+  const std::vector<double> query_coordinates = uniform(n * d, 2);
+  const PointsView points(coordinates, dimension);
+  const PointsView queries(query_coordinates, dimension);
+  const std::vector<double> sorted_coordinates = along_curve(queries);
+  const PointsView sorted(sorted_coordinates, dimension);
+  const PointsView few(queries.coordinates().first(n / 10 * d), dimension);
+
+  AnyTriangulation t(dimension);
+  const double build_seconds = undisturbed_seconds([&] { t = build(points); });
+  std::unique_ptr<bench::QueryPeer> tree;
+  const double tree_seconds = undisturbed_seconds([&] { tree = bench::nanoflann_index(points); });
+
+  std::vector<Neighbour> one;
+  std::vector<Neighbour> singles(n);
+  NeighbourLists eight;
+  std::vector<std::uint32_t> theirs(n);
+  std::vector<std::uint32_t> their_eight(8 * n);
+  const auto tree_nearest = [&](PointsView which) { tree->nearest(which, 1, theirs); };
+  std::vector<Task> tasks;
+  tasks.push_back({"batch, random order", n, [&] { one = nearest(t, queries); }, [&] { tree_nearest(queries); }});
+  tasks.push_back({"batch, 8 nearest", n, [&] { eight = nearest(t, queries, 8); },
+                   [&] { tree->nearest(queries, 8, their_eight); }});
+  tasks.push_back({"batch, queries along a curve", n, [&] { nearest(t, sorted); }, [&] { tree_nearest(sorted); }});
+  tasks.push_back({"one by one, along a curve, from the last answer", n,
+                   [&] {
+                     CellId near = kNoCell;
+                     for (std::size_t i = 0; i < n; ++i) {
+                       singles[i] = nearest(t, sorted[i], near);
+                       near = t.complex().incident_cell(t.vertex(singles[i].row));
+                     }
+                   },
+                   [&] { tree_nearest(sorted); }});
+  tasks.push_back({"one by one, random order, no hint", few.size(),
+                   [&] {
+                     for (std::size_t i = 0; i < few.size(); ++i) singles[i] = nearest(t, few[i]);
+                   },
+                   [&] { tree_nearest(few); }});
+  tasks.push_back({"one by one, random order, a hint beside the answer",
+                   few.size(),
+                   [&] {
+                     for (std::size_t i = 0; i < few.size(); ++i) {
+                       singles[i] = nearest(t, few[i], t.complex().incident_cell(t.vertex(one[i].row)));
+                     }
+                   },
+                   {}});
+  for (int round = 0; round < rounds; ++round) {
+    for (Task& task : tasks) {
+      task.our_seconds.push_back(undisturbed_seconds(task.ours));
+      if (task.theirs) task.their_seconds.push_back(undisturbed_seconds(task.theirs));
+    }
+  }
+  tree_nearest(queries);
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < n; ++i) differing += one[i].row != theirs[i] ? 1 : 0;
+
+  std::printf("\n## %dD, %zu uniform points, as many random queries\n\n", dimension, n);
+  std::printf(
+      "Microseconds a query. Building took %.2f s (Delone, the triangulation) and %.2f s (nanoflann, the tree). ",
+      build_seconds, tree_seconds);
+  std::printf("%zu nearest rows differ.\n\n| queries | Delone | nanoflann | ratio |\n| --- | --- | --- | --- |\n",
+              differing);
+  for (const Task& task : tasks) {
+    std::string ratio;
+    if (task.theirs)
+      ratio = number(bench::spread(task.their_seconds).median / bench::spread(task.our_seconds).median, 2);
+    std::printf("| %s | %s | %s | %s |\n", task.what.c_str(), microseconds(task.our_seconds, task.queries).c_str(),
+                microseconds(task.their_seconds, task.queries).c_str(), ratio.c_str());
+  }
+  std::fflush(stdout);
+}
+
+void run(bool quick) {
+  std::printf("# Queries\n\n%s* compiler: %s\n* flags: %s\n* Delone: %s\n* nanoflann: %s, 10 points a leaf\n\n",
+              bench::when_and_where(quick ? ", QUICK" : "").c_str(), DELONE_BENCH_COMPILER, DELONE_BENCH_FLAGS,
+              DELONE_VERSION, bench::nanoflann_version().c_str());
+  std::printf(
+      "One thread, one process; both take turns on the same points and queries, round after round, and a run that had\n"
+      "to share its processor is repeated. A batch of Delone contains sorting the queries and putting the answers in\n"
+      "their order; nanoflann answers them one after the other. Given are the median and, in brackets, the least and\n"
+      "the largest value; ratio: nanoflann's median by Delone's.\n");
+  for (const int dimension : {2, 3}) report(dimension, quick ? 100000 : 1000000, quick ? 1 : 5);
+  if (disturbed > 0) std::printf("\n%d runs had to share their processor: measure again.\n", disturbed);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    run(argc > 1 && argv[1] == std::string("--quick"));
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_queries: %s\n", error.what());
+    return 1;
+  }
+}
