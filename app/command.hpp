@@ -30,6 +30,7 @@ void add_triangulate(CLI::App& app, Command& chosen);
 void add_info(CLI::App& app, Command& chosen);
 void add_check(CLI::App& app, Command& chosen);
 void add_generate(CLI::App& app, Command& chosen);
+void add_bench(CLI::App& app, Command& chosen);
 
 /// How points are read; the same options in every command that reads some.
 struct PointInput {

@@ -232,11 +232,14 @@ void Hierarchy::renew(std::size_t i) {
   level.sample.update(level.triangulation, {.rebuilt = true});
 }
 
+/// All levels anew. Marches then begin at any vertex of the highest one.
 void Hierarchy::rebuild(const AnyTriangulation& t) {
   forget();
   std::vector<std::vector<double>> points;  // of each level
+  std::uint64_t seen = 0;
   for_each_vertex(t, [&](VertexId v) {
-    newest_ = v;
+    if (mix(seed + seen) % (seen + 1) == 0) newest_ = v;  // any one: the last ids lie at the end of a curve
+    ++seen;
     const auto height = static_cast<std::size_t>(draw_height());
     const PointCopy x = coordinates_of(t.sites(), v);
     Index below = raw(v);
@@ -247,16 +250,17 @@ void Hierarchy::rebuild(const AnyTriangulation& t) {
       }
       Level& level = levels_[i];
       points[i].insert(points[i].end(), x.begin(), x.begin() + t.dimension());
-      level.newest = static_cast<Index>(level.below.size());
+      const auto row = static_cast<Index>(level.below.size());
       level.below.push_back(below);
       level.above.push_back(kNone);
-      link_below(i, below, level.newest);
-      below = level.newest;
+      link_below(i, below, row);
+      below = row;
     }
   });
   for (std::size_t i = 0; i < levels_.size(); ++i) {
     levels_[i].triangulation = build(PointsView(points[i], t.dimension()));
     levels_[i].sample.update(levels_[i].triangulation, {.rebuilt = true});
+    levels_[i].newest = static_cast<Index>(mix(seed + i) % levels_[i].below.size());
   }
 }
 
