@@ -77,6 +77,8 @@ std::vector<std::string> status_words(const AnyTriangulation& triangulation) {
       case Status::hidden:
         words[row] = "hidden";
         break;
+      case Status::removed:  // files of points have no such row
+        break;
     }
   }
   return words;

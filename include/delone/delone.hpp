@@ -15,6 +15,8 @@
 #include "delone/check/delaunay.hpp"
 #include "delone/mesh/archive.hpp"
 #include "delone/mesh/export.hpp"
+#include "delone/remove/move.hpp"
+#include "delone/remove/remove.hpp"
 
 namespace delone {
 

@@ -91,16 +91,53 @@ void Sites::append(PointsView points, std::span<const Index> order, Index first_
   }
 }
 
-void Sites::drop_last() {
+VertexId Sites::put(std::span<const double> point, double weight, Index row) {
+  if (empty_.empty()) return append(point, weight, row);
+  const VertexId v{empty_[empty_.size() - 1]};
+  empty_.resize(empty_.size() - 1);
+  move(v, point, weight);
+  row_of_[raw(v)] = row;
+  if (row >= vertex_of_.size()) grow_rows(row + std::size_t{1});
+  vertex_of_[row] = raw(v);
+  return v;
+}
+
+void Sites::remove(VertexId v) {
+  vertex_of_[row(v)] = kNone;
+  row_of_[raw(v)] = kNone;
+  empty_.push_back(raw(v));
+}
+
+void Sites::take_back(VertexId v) {
+  const Index last = row(v);
+  remove(v);
+  if (last + std::size_t{1} == vertex_of_.size()) vertex_of_.resize(last);
+}
+
+void Sites::rename_rows(std::span<const Index> names, std::size_t count) {
+  Buffer<Index> vertex_of;
+  vertex_of.resize(count, kNone);
+  for (std::size_t v = 0; v < size(); ++v) {
+    row_of_[v] = names[row_of_[v]];
+    vertex_of[row_of_[v]] = static_cast<Index>(v);
+  }
+  vertex_of_.swap(vertex_of);
+}
+
+void Sites::move(VertexId v, std::span<const double> point, double weight) {
   const auto k = static_cast<std::size_t>(leading_count_);
-  const auto d = static_cast<std::size_t>(dimension_);
-  const VertexId last{static_cast<Index>(size() - 1)};
-  vertex_of_[row(last)] = kNone;
-  if (row(last) + std::size_t{1} == vertex_of_.size()) vertex_of_.resize(row(last));
-  leading_.resize(leading_.size() - k);
-  others_.resize(others_.size() - (d - k));
-  if (weighted_) weights_.resize(weights_.size() - 1);
-  row_of_.resize(row_of_.size() - 1);
+  for (std::size_t place = 0; place < point.size(); ++place) {
+    const double x = point[static_cast<std::size_t>(axis_at_place_[place])];
+    (place < k ? leading_[raw(v) * k + place] : others_[raw(v) * (point.size() - k) + place - k]) = x;
+  }
+  range_.include(point);
+  if (!weighted_) return;
+  weights_[raw(v)] = weight;
+  range_.include_weight(weight);
+}
+
+void Sites::copy_point(VertexId v, std::span<double> to) const {
+  for (std::size_t axis = 0; axis < to.size(); ++axis) to[axis] = coordinate(v, static_cast<int>(axis));
 }
 
 bool Sites::same_place(VertexId a, VertexId b) const {
@@ -113,6 +150,7 @@ void Sites::shrink() {
   for (Buffer<double>* buffer : {&leading_, &others_, &weights_}) buffer->shrink_to_fit();
   row_of_.shrink_to_fit();
   vertex_of_.shrink_to_fit();
+  empty_.shrink_to_fit();
 }
 
 }  // namespace delone

@@ -23,7 +23,7 @@
 namespace delone {
 namespace {
 
-constexpr std::uint64_t kNameAndVersion = 0x01'00'45'4E'4F'4C'45'44;  // "DELONE\0\1", the first letter lowest
+constexpr std::uint64_t kNameAndVersion = 0x02'00'45'4E'4F'4C'45'44;  // "DELONE\0\2", the first letter lowest
 constexpr std::uint64_t kVersionBits = 0xFFULL << 56;
 constexpr std::uint64_t kLargestNarrowId = 0xFFFF'FFFF;
 
@@ -150,20 +150,50 @@ class IdReader {
 
 // --- Saving ---
 
-void save_sites(const AnyTriangulation& t, Writer& to, std::uint64_t width) {
+/// The numbers of sites without the empty slots; the ghost keeps its own.
+class Numbers {
+ public:
+  explicit Numbers(const Sites& sites) : number_(sites.size(), kNone) {
+    Index next = 0;
+    for (std::size_t i = 0; i < number_.size(); ++i) {
+      if (!sites.is_empty(VertexId{static_cast<Index>(i)})) number_[i] = next++;
+    }
+  }
+  Index operator[](VertexId v) const { return v == kGhost ? kNone : number_[raw(v)]; }
+
+ private:
+  std::vector<Index> number_;
+};
+
+void save_sites(const AnyTriangulation& t, const Numbers& numbers, Writer& to, std::uint64_t width) {
   const Sites& sites = t.sites();
   const auto for_all = [&](auto&& f) {
-    for (std::size_t i = 0; i < sites.size(); ++i) f(VertexId{static_cast<Index>(i)});
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      if (const VertexId v{static_cast<Index>(i)}; !sites.is_empty(v)) f(v);
+    }
   };
   for_all([&](VertexId v) {
     for (int axis = 0; axis < t.dimension(); ++axis) to.number(sites.coordinate(v, axis));
   });
   if (t.weighted()) for_all([&](VertexId v) { to.number(sites.weight(v)); });
   IdWriter ids(to, width);
-  for_all([&](VertexId v) { ids.put(sites.row(v)); });
+  for (std::size_t row = 0; row < t.row_count(); ++row) {
+    ids.put(sites.is_removed(static_cast<Index>(row)) ? kNone : numbers[sites.vertex(static_cast<Index>(row))]);
+  }
 }
 
-void save_cells(const Complex& complex, Writer& to, std::uint64_t width) {
+void save_duplicates(const AnyTriangulation& t, const Numbers& numbers, Writer& to, std::uint64_t width) {
+  std::vector<std::array<Index, 2>> pairs;
+  for (const auto& [vertex, row] : t.mesh().duplicates) pairs.push_back({numbers[t.vertex(row)], numbers[vertex]});
+  std::ranges::sort(pairs);
+  IdWriter ids(to, width);
+  for (const auto& [site, vertex] : pairs) {
+    ids.put(site);
+    ids.put(vertex);
+  }
+}
+
+void save_cells(const Complex& complex, const Numbers& numbers, Writer& to, std::uint64_t width) {
   std::vector<Index> position(complex.slot_count(), kNone);  // without the dead ones
   Index live = 0;
   for (std::size_t s = 0; s < position.size(); ++s) {
@@ -173,7 +203,7 @@ void save_cells(const Complex& complex, Writer& to, std::uint64_t width) {
   for (std::size_t s = 0; s < position.size(); ++s) {
     if (position[s] == kNone) continue;
     const CellId c{static_cast<Index>(s)};
-    for (int i = 0; i < complex.corners(); ++i) ids.put(raw(complex.vertex(c, i)));
+    for (int i = 0; i < complex.corners(); ++i) ids.put(numbers[complex.vertex(c, i)]);
     for (int i = 0; i < complex.corners(); ++i) {
       const FacetId f = complex.twin(c, i);
       ids.put(position[raw(complex.cell(f))] * static_cast<Index>(complex.corners()) +
@@ -188,13 +218,13 @@ struct Header {
   std::size_t width, dimension;
   bool weighted;
   Flat flat;
-  std::size_t sites, duplicates, cells;
+  std::size_t rows, sites, duplicates, cells;
 };
 
 Header load_header(Reader& from) {
   const std::uint64_t name = from.word();
   require((name & ~kVersionBits) == (kNameAndVersion & ~kVersionBits), "this is no saved triangulation");
-  if (name != kNameAndVersion) refuse("version " + std::to_string(name >> 56) + " is unknown, this program reads 1");
+  if (name != kNameAndVersion) refuse("version " + std::to_string(name >> 56) + " is unknown, this program reads 2");
   Header header{};
   header.width = from.count(8, "the width of ids");
   require(header.width == 4 || header.width == 8, "the width of ids is neither 4 nor 8");
@@ -209,11 +239,28 @@ Header load_header(Reader& from) {
     require(axis > last, "the axes do not ascend");
     header.flat.axes[static_cast<std::size_t>(i)] = last = axis;
   }
-  header.sites = from.count(max_row_count(static_cast<int>(header.dimension)), "the number of points");
+  header.rows = from.count(kNone - 1, "the number of rows");
+  header.sites = from.count(std::min<std::uint64_t>(header.rows, max_row_count(static_cast<int>(header.dimension))),
+                            "the number of points");
   require(k == 0 ? header.sites == 0 : header.sites >= k, "the affine dimension does not fit the number of points");
   header.duplicates = from.count(header.sites, "the number of duplicates");
   header.cells = from.count(k == 0 ? 0 : (kNone - 1) / k, "the number of cells");
   return header;
+}
+
+/// The row of each site. Before it the coordinates of as many sites have been read.
+std::vector<Index> load_rows(const Header& header, Reader& from) {
+  std::vector<Index> row_of(header.sites, kNone);
+  IdReader ids(from, header.width);
+  for (std::size_t row = 0; row < header.rows; ++row) {
+    const Index site = ids.get(header.sites, true);
+    if (site == kNone) continue;
+    require(row_of[site] == kNone, "a site has two rows");
+    row_of[site] = static_cast<Index>(row);
+  }
+  ids.finish();
+  require(std::ranges::find(row_of, kNone) == row_of.end(), "a site has no row");
+  return row_of;
 }
 
 Sites load_sites(const Header& header, Reader& from) {
@@ -222,29 +269,27 @@ Sites load_sites(const Header& header, Reader& from) {
   for (std::size_t i = 0; header.weighted && i < header.sites; ++i) weights.push_back(from.number());
   Sites sites(static_cast<int>(header.dimension), header.weighted, header.flat);
   sites.reserve_more(header.sites);
-  std::vector<bool> named(header.sites, false);
-  IdReader ids(from, header.width);
+  const std::vector<Index> row_of = load_rows(header, from);
   for (std::size_t i = 0; i < header.sites; ++i) {
-    const Index row = ids.get(header.sites);
-    require(!named[row], "a row is named twice");
-    named[row] = true;
     sites.append(std::span(coordinates).subspan(i * header.dimension, header.dimension),
-                 header.weighted ? weights[i] : 0.0, row);
+                 header.weighted ? weights[i] : 0.0, row_of[i]);
   }
-  ids.finish();
+  sites.grow_rows(header.rows);
   return sites;
 }
 
 void load_duplicates(const Header& header, Reader& from, Mesh& mesh) {
   IdReader ids(from, header.width);
-  for (std::size_t i = 0; i < header.duplicates; ++i) {
+  for (std::size_t i = 0, next = 0; i < header.duplicates; ++i) {
     const VertexId site{ids.get(header.sites)};
     const VertexId vertex{ids.get(header.sites)};
-    require(mesh.duplicates.empty() || raw(mesh.duplicates.back().first) < raw(site), "the duplicates do not ascend");
+    require(raw(site) >= next, "the duplicates do not ascend");
+    next = raw(site) + std::size_t{1};
     require(
         site != vertex && mesh.sites.same_place(site, vertex) && mesh.sites.weight(site) == mesh.sites.weight(vertex),
         "a duplicate differs from its vertex");
-    mesh.duplicates.emplace_back(site, vertex);
+    require(mesh.sites.row(vertex) < mesh.sites.row(site), "a duplicate has a lower row than its vertex");
+    mesh.duplicates.add(site, vertex, mesh.sites.row(site));
   }
   ids.finish();
 }
@@ -374,8 +419,9 @@ void require_regular(const ComplexView<K>& complex, const Sites& sites) {
 
 void require_settled_rows(const Mesh& mesh) {
   const Complex& complex = mesh.complex;
-  for (const auto& [site, vertex] : mesh.duplicates) {
-    require(complex.incident_cell(site) == kNoCell, "a duplicate is a vertex too");
+  for (const auto& [vertex, row] : mesh.duplicates) {
+    require(complex.incident_cell(mesh.sites.vertex(row)) == kNoCell, "a duplicate is a vertex too");
+    require(mesh.duplicates.vertex_of(vertex) == kGhost, "a duplicate repeats a duplicate");
   }
   require(mesh.sites.weighted() || mesh.vertex_count + mesh.duplicates.size() == mesh.sites.size(),
           "a point is neither a vertex nor a duplicate");
@@ -398,17 +444,13 @@ void save(const AnyTriangulation& t, std::ostream& out) {
     to.word(static_cast<std::uint64_t>(t.sites().flat().axes[static_cast<std::size_t>(i)]));
   }
   to.word(t.row_count());
+  to.word(t.sites().present_count());
   to.word(t.mesh().duplicates.size());
   to.word(complex.live_count());
-  save_sites(t, to, width);
-  {
-    IdWriter ids(to, width);
-    for (const auto& [site, vertex] : t.mesh().duplicates) {
-      ids.put(raw(site));
-      ids.put(raw(vertex));
-    }
-  }
-  save_cells(complex, to, width);
+  const Numbers numbers(t.sites());
+  save_sites(t, numbers, to, width);
+  save_duplicates(t, numbers, to, width);
+  save_cells(complex, numbers, to, width);
   to.finish();
 }
 

@@ -178,8 +178,11 @@ std::vector<std::vector<Index>> polytopes_of(const AnyTriangulation& t) {
 
 /// Rank of every site among the distinct points in lexicographic order; and how many distinct points there are.
 std::pair<std::vector<Index>, std::size_t> lexicographic_ranks(const Sites& sites) {
-  std::vector<VertexId> order(sites.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = VertexId{static_cast<Index>(i)};
+  std::vector<VertexId> order;
+  order.reserve(sites.present_count());
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (const VertexId v{static_cast<Index>(i)}; !sites.is_empty(v)) order.push_back(v);
+  }
   const auto k = static_cast<std::size_t>(std::max(sites.flat().dimension, 0));  // these axes come first (Flat)
   const auto coordinates = [&](VertexId v) { return std::span(sites.leading() + raw(v) * k, k); };
   std::ranges::sort(order, [&](VertexId a, VertexId b) {

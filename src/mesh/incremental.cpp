@@ -1,8 +1,14 @@
 #include "mesh/incremental.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include "delone/base/dispatch.hpp"
 #include "delone/base/errors.hpp"
+#include "delone/base/stopwatch.hpp"
+#include "delone/geometry/affine.hpp"
 #include "delone/mesh/inserter.hpp"
+#include "delone/order/brio.hpp"
 
 namespace delone {
 namespace {
@@ -27,7 +33,64 @@ void insert_sites(Mesh& mesh, std::size_t first, const Progress& progress) {
   }
 }
 
+template <int K>
+void find_hidden_sites(Mesh& mesh) {
+  const ComplexView<K> complex(mesh.complex);
+  Kernel<K> kernel(mesh.sites);
+  mesh.hidden.reserve(mesh.sites.size(), mesh.complex.slot_count());
+  WalkStats walked;
+  CellId near = complex.incident_cell(kGhost);
+  for (std::size_t i = 0; i < mesh.sites.size(); ++i) {
+    const VertexId v{static_cast<Index>(i)};
+    if (complex.has_vertex(v) || mesh.sites.is_empty(v) || mesh.duplicates.vertex_of(v) != kGhost) continue;
+    near = walk(complex, kernel, kernel.at(v), near, walked);
+    mesh.hidden.add(v, near);
+  }
+}
+
+/// Moves `rows` to the front, which become the first simplex, and leaves the others in their order.
+void bring_to_front(std::vector<Index>& order, std::span<const Index> rows) {
+  auto kept = order.end();
+  for (auto i = order.end(); i != order.begin();) {
+    if (std::ranges::find(rows, *--i) == rows.end()) *--kept = *i;
+  }
+  std::ranges::copy(rows, order.begin());
+}
+
 }  // namespace
+
+Mesh triangulate_points(PointsView points, int threads, const Progress& progress) {
+  Stopwatch watch;
+  const AffineHull hull = affine_hull(points);
+  Mesh mesh(Sites(points.dimension(), points.weighted(), hull.flat));
+  const std::span axes = std::span(hull.flat.axes).first(static_cast<std::size_t>(std::max(hull.flat.dimension, 0)));
+  const std::span basis = std::span(hull.basis).first(points.empty() ? 0 : axes.size() + 1);
+  std::vector<Index> order = brio_order(points, axes, threads);
+  bring_to_front(order, basis);
+  mesh.sites.append(points, order, 0);
+  mesh.statistics.order_seconds = watch.lap();
+  insert_all(mesh, progress);
+  mesh.statistics.insert_seconds = watch.lap();
+  return mesh;
+}
+
+Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites) {
+  const auto d = static_cast<std::size_t>(all.dimension());
+  std::vector<double> coordinates(sites.size() * d);
+  std::vector<double> weights;
+  weights.reserve(all.weighted() ? sites.size() : 0);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    all.copy_point(sites[i], std::span(coordinates).subspan(i * d, d));
+    if (all.weighted()) weights.push_back(all.weight(sites[i]));
+  }
+  return triangulate_points(PointsView(coordinates, all.dimension(), weights), 1, {});
+}
+
+void keep_hidden_sites(Mesh& mesh) {
+  if (mesh.hidden.kept() || !mesh.sites.weighted() || mesh.complex.dimension() < 1) return;
+  with_dimension<1>(mesh.complex.dimension(), [&](auto dimension) { find_hidden_sites<dimension>(mesh); });
+  mesh.hidden.keep();
+}
 
 void insert_from(Mesh& mesh, std::size_t first, const Progress& progress) {
   const int k = mesh.complex.dimension();

@@ -1,6 +1,7 @@
 #include "delone/mesh/triangulation.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <unordered_set>
 
@@ -20,51 +21,58 @@ AnyTriangulation::AnyTriangulation(int dimension, bool weighted)
     : mesh_(Sites(PointsView({}, dimension).dimension(), weighted)) {}
 
 std::size_t AnyTriangulation::duplicate_count() const {
+  if (!weighted()) return mesh_.duplicates.size();
   return static_cast<std::size_t>(std::ranges::count_if(
-      mesh_.duplicates, [this](const auto& pair) { return mesh_.complex.incident_cell(pair.second) != kNoCell; }));
+      mesh_.duplicates, [this](const auto& entry) { return mesh_.complex.incident_cell(entry.first) != kNoCell; }));
 }
 
 std::size_t AnyTriangulation::memory_bytes() const {
-  return sizeof(*this) + mesh_.sites.memory_bytes() + mesh_.complex.memory_bytes() +
-         mesh_.duplicates.capacity() * sizeof(mesh_.duplicates[0]) + mesh_.scratch.memory_bytes();
+  return sizeof(*this) + mesh_.sites.memory_bytes() + mesh_.complex.memory_bytes() + mesh_.duplicates.memory_bytes() +
+         mesh_.hidden.memory_bytes() + mesh_.scratch.memory_bytes();
 }
 
 RowStatus AnyTriangulation::status(Index row) const {
   if (row >= row_count()) {
     throw InputError("row " + std::to_string(row) + ": there are only " + std::to_string(row_count()) + " rows");
   }
+  if (mesh_.sites.is_removed(row)) return {Status::removed, row};
   const VertexId v = mesh_.sites.vertex(row);
   if (mesh_.complex.incident_cell(v) != kNoCell) return {Status::vertex, row};
-  const auto found = std::ranges::lower_bound(mesh_.duplicates, v, {}, [](const auto& pair) { return pair.first; });
-  if (found != mesh_.duplicates.end() && found->first == v && mesh_.complex.incident_cell(found->second) != kNoCell) {
-    return {Status::duplicate, mesh_.sites.row(found->second)};
+  const VertexId repeated = mesh_.duplicates.vertex_of(v);
+  if (repeated != kGhost && mesh_.complex.incident_cell(repeated) != kNoCell) {
+    return {Status::duplicate, mesh_.sites.row(repeated)};
   }
   return {Status::hidden, row};
 }
 
 std::vector<double> AnyTriangulation::point(Index row) const {
   std::vector<double> x(static_cast<std::size_t>(dimension()));
-  for (int axis = 0; axis < dimension(); ++axis) {
-    x[static_cast<std::size_t>(axis)] = mesh_.sites.coordinate(mesh_.sites.vertex(row), axis);
-  }
+  mesh_.sites.copy_point(mesh_.sites.vertex(row), x);
   return x;
+}
+
+std::vector<Index> AnyTriangulation::present_rows() const {
+  std::vector<Index> rows;
+  rows.reserve(mesh_.sites.present_count());
+  for (std::size_t row = 0; row < row_count(); ++row) {
+    if (!mesh_.sites.is_removed(static_cast<Index>(row))) rows.push_back(static_cast<Index>(row));
+  }
+  return rows;
 }
 
 std::vector<double> AnyTriangulation::coordinates() const {
   const auto d = static_cast<std::size_t>(dimension());
-  std::vector<double> all(row_count() * d);
-  for (std::size_t row = 0; row < row_count(); ++row) {
-    const VertexId v = mesh_.sites.vertex(static_cast<Index>(row));
-    for (std::size_t axis = 0; axis < d; ++axis) {
-      all[row * d + axis] = mesh_.sites.coordinate(v, static_cast<int>(axis));
-    }
+  std::vector<double> all(row_count() * d, std::numeric_limits<double>::quiet_NaN());
+  for (const Index row : present_rows()) {
+    mesh_.sites.copy_point(mesh_.sites.vertex(row), std::span(all).subspan(row * d, d));
   }
   return all;
 }
 
 std::vector<double> AnyTriangulation::weights() const {
-  std::vector<double> all(weighted() ? row_count() : 0);
-  for (std::size_t row = 0; row < all.size(); ++row) all[row] = weight(static_cast<Index>(row));
+  if (!weighted()) return {};
+  std::vector<double> all(row_count(), std::numeric_limits<double>::quiet_NaN());
+  for (const Index row : present_rows()) all[row] = weight(row);
   return all;
 }
 

@@ -8,6 +8,7 @@ namespace delone {
 
 void Complex::reserve_more(std::size_t cells, std::size_t vertex_slots) {
   if (dimension_ >= 0) {
+    cells -= std::min(cells, slot_count() - live_);  // those of dead cells are taken first
     if (slot_count() + cells > kDead / static_cast<std::size_t>(corners())) {
       throw InputError("the triangulation needs more cells than ids of this build can name: build with 64-bit ids");
     }

@@ -42,7 +42,7 @@ TEST(Sites, the_last_one_can_be_taken_back) {
   Sites sites = plane_in_space();
   sites.reserve_more(1);
   sites.append(std::vector<double>{7, 8, 9}, 1.0, 3);
-  sites.drop_last();
+  sites.take_back(VertexId{static_cast<Index>(sites.size() - 1)});
   EXPECT_EQ(sites.size(), 3U);
   EXPECT_EQ(sites.coordinate(VertexId{2}, 1), 2.0);
   sites.append(std::vector<double>{-1, -2, -3}, 1.0, 3);

@@ -58,7 +58,7 @@ std::string broken_cell(const AnyTriangulation& t, CellId c) {
   for (int i = 0; i < complex.corners(); ++i) {
     const VertexId v = complex.vertex(c, i);
     ghosts += v == kGhost ? 1 : 0;
-    if (v != kGhost && raw(v) >= t.row_count()) return name(c) + " names a vertex that does not exist";
+    if (v != kGhost && (raw(v) >= t.sites().size() || t.sites().is_empty(v))) return name(c) + " names a vertex that does not exist";
     if (v == kGhost && i != complex.dimension() && complex.dimension() != 1)
       return "I4: the ghost is not last in " + name(c);
     if (complex.incident_cell(v) == kNoCell) return name(c) + " has a vertex that is in no cell";
@@ -111,10 +111,12 @@ std::string broken_invariant(const AnyTriangulation& t) {
     if (std::string broken = broken_cell(t, c); !broken.empty()) return broken;
   }
   if (live != complex.live_count() || ghosts != complex.ghost_count()) return "cells are miscounted";
-  for (std::size_t i = 0; i < t.row_count(); ++i) {
+  for (std::size_t i = 0; i < t.sites().size(); ++i) {
     const VertexId v{static_cast<Index>(i)};
-    if (t.vertex(t.row(v)) != v) return "rows and vertices are no permutation";
     const CellId c = complex.dimension() < 0 ? kNoCell : complex.incident_cell(v);
+    if (t.sites().is_empty(v) && c != kNoCell) return "a removed vertex is in a cell";
+    if (t.sites().is_empty(v)) continue;
+    if (t.vertex(t.row(v)) != v) return "rows and vertices are no permutation";
     if (c == kNoCell) continue;
     ++vertices;
     const auto corners = facet_vertices(complex, c, -1);

@@ -42,7 +42,12 @@ class Sites {
   int dimension() const { return dimension_; }
   const Flat& flat() const { return flat_; }
   bool weighted() const { return weighted_; }
+  /// Slots: every VertexId lies below. Those of removed points are empty until a new point takes them.
   std::size_t size() const { return row_of_.size(); }
+  bool is_empty(VertexId v) const { return row_of_[raw(v)] == kNone; }
+  /// Rows that were ever appended, removed ones included; and how many are there now.
+  std::size_t row_count() const { return vertex_of_.size(); }
+  std::size_t present_count() const { return size() - empty_.size(); }
 
   /// k leading coordinates per site; D - k others; weights, empty when there are none.
   const double* leading() const { return leading_.data(); }
@@ -60,6 +65,8 @@ class Sites {
   }
 
   Index row(VertexId v) const { return row_of_[raw(v)]; }
+  bool is_removed(Index row) const { return vertex_of_[row] == kNone; }
+  /// Of a row that is not removed.
   VertexId vertex(Index row) const { return VertexId{vertex_of_[row]}; }
   /// Equal points may trade their rows.
   void swap_rows(VertexId a, VertexId b);
@@ -72,15 +79,26 @@ class Sites {
   void append(PointsView points, std::span<const Index> order, Index first_row);
   /// Makes room for rows below `count` to be named.
   void grow_rows(std::size_t count) { vertex_of_.resize(count, kNone); }
-  /// Takes back the last site.
-  void drop_last();
+  /// Puts a point into an empty slot, or appends it. Requires reserved room.
+  VertexId put(std::span<const double> point, double weight, Index row);
+  /// Empties the slot of v; its row is removed for good. Requires room (reserve_empty).
+  void remove(VertexId v);
+  /// The same for a site just put: if its row is the last, it is as if it had never been.
+  void take_back(VertexId v);
+  void reserve_empty(std::size_t count) { empty_.reserve_more(count); }
+  /// Renames all rows: row r becomes names[r], ascending numbers below `count`.
+  void rename_rows(std::span<const Index> names, std::size_t count);
+  /// Gives v another place and weight.
+  void move(VertexId v, std::span<const double> point, double weight);
+  /// All D coordinates of v in the order of the input's axes.
+  void copy_point(VertexId v, std::span<double> to) const;
   /// Whether two sites have the same coordinates.
   bool same_place(VertexId a, VertexId b) const;
   void shrink();
 
   std::size_t memory_bytes() const {
     return (leading_.capacity() + others_.capacity() + weights_.capacity()) * sizeof(double) +
-           (row_of_.capacity() + vertex_of_.capacity()) * sizeof(Index);
+           (row_of_.capacity() + vertex_of_.capacity() + empty_.capacity()) * sizeof(Index);
   }
 
  private:
@@ -93,6 +111,7 @@ class Sites {
   NumberRange range_;
   Buffer<double> leading_, others_, weights_;
   Buffer<Index> row_of_, vertex_of_;
+  Buffer<Index> empty_;  // slots, the last one is taken first
 };
 
 }  // namespace delone

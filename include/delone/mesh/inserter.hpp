@@ -2,6 +2,7 @@
 // Source: [For92] 4.3; redundant points as in [ES96] 2.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -16,13 +17,13 @@
 namespace delone {
 
 /// What to do with site q that stands at the place of vertex v: nothing when q is heavier and must be inserted. Of
-/// equal points the one with the lowest row is the vertex, whichever came first. Requires room for one more duplicate.
+/// equal points the one with the lowest row is the vertex, whichever came first.
 inline std::optional<Outcome> meet_at_same_place(Mesh& mesh, VertexId q, VertexId v) {
   const double wq = mesh.sites.weight(q);
   const double wv = mesh.sites.weight(v);
   if (wq > wv) return std::nullopt;
   if (wq < wv) return Outcome::hidden;
-  mesh.duplicates.push_back({q, v});
+  mesh.duplicates.add(q, v, std::max(mesh.sites.row(q), mesh.sites.row(v)));
   if (mesh.sites.row(q) < mesh.sites.row(v)) mesh.sites.swap_rows(q, v);
   return Outcome::duplicate;
 }
@@ -41,16 +42,20 @@ class Inserter {
   /// On std::bad_alloc the mesh is as it was. Cost: the walk, then O(K * cells changed).
   Outcome insert(VertexId q, CellId start) {
     scratch_->reserve_cells(K, complex_.slot_count());
+    if (mesh_->hidden.kept()) mesh_->hidden.reserve(mesh_->sites.size(), complex_.slot_count());
     WalkStats walked;
     const CellId c = walk(complex_, kernel_, kernel_.at(q), start, walked);
     mesh_->statistics.walk_steps += walked.steps;
     mesh_->statistics.walk_fallbacks += walked.fallbacks;
     last_ = c;
     if (const VertexId v = vertex_at_place_of(q, c); v != kGhost) {
-      mesh_->reserve_duplicate();
-      if (const auto outcome = meet_at_same_place(*mesh_, q, v)) return *outcome;
+      if (const auto outcome = meet_at_same_place(*mesh_, q, v)) {
+        if (*outcome == Outcome::hidden) hide(q, c);
+        return *outcome;
+      }
     } else if (mesh_->sites.weighted() && !in_conflict(complex_, kernel_, *scratch_, c, q)) {
-      return Outcome::hidden;  // without weights a point inside a cell is inside its circumscribing ball
+      hide(q, c);  // without weights a point inside a cell is inside its circumscribing ball
+      return Outcome::hidden;
     }
     replace_cavity(q, c);
     return Outcome::inserted;
@@ -80,17 +85,19 @@ class Inserter {
       find_cavity(complex_, kernel_, q, start, *scratch_);
       mesh_->complex.reserve_more(scratch_->boundary.size(), mesh_->sites.size());
       scratch_->prepare_star(K, complex_.slot_count(), mesh_->sites.size());
-      if (mesh_->sites.weighted()) scratch_->swallowed.reserve(scratch_->cavity.size() + K);  // a ball has no more
+      if (mesh_->sites.weighted()) reserve_hidden();
     } catch (...) {
       clean_marks();
       throw;
     }
-    fill_cavity(complex_, q, *scratch_);  // from here on nothing fails
+    if (mesh_->hidden.kept()) displace_hidden();  // from here on nothing fails
+    fill_cavity(complex_, q, *scratch_);
     came_ = q;
     ++mesh_->vertex_count;
     if (mesh_->sites.weighted()) hide_swallowed_vertices();
     for (const FacetId f : scratch_->cavity) complex_.destroy(complex_.cell(f));
     clean_marks();
+    if (mesh_->hidden.kept()) place_hidden();
     mesh_->statistics.cells_created += scratch_->created.size();
     const CellId outside = complex_.incident_cell(kGhost);
     last_ = complex_.has(outside, q) ? outside : scratch_->created.front();  // the next may lie outside, too
@@ -98,6 +105,41 @@ class Inserter {
 
   void clean_marks() {
     for (const FacetId f : scratch_->cavity) scratch_->marks[raw(complex_.cell(f))] = Scratch::Mark::none;
+  }
+
+  void hide(VertexId v, CellId c) {
+    if (mesh_->hidden.kept()) mesh_->hidden.add(v, c);
+  }
+
+  /// Room for all that the new vertex may hide or displace.
+  void reserve_hidden() {
+    scratch_->swallowed.reserve(scratch_->cavity.size() + K);  // a ball has no more vertices
+    if (!mesh_->hidden.kept()) return;
+    mesh_->hidden.reserve(mesh_->sites.size(), complex_.slot_count() + scratch_->boundary.size());
+    std::size_t count = 0;
+    for (const FacetId f : scratch_->cavity) {
+      for (VertexId v = mesh_->hidden.first(complex_.cell(f)); v != kGhost; v = mesh_->hidden.next(v)) ++count;
+    }
+    scratch_->displaced.reserve(count);
+  }
+  void displace_hidden() {
+    scratch_->displaced.clear();
+    for (const FacetId f : scratch_->cavity) {
+      for (VertexId v; (v = mesh_->hidden.first(complex_.cell(f))) != kGhost;) {
+        mesh_->hidden.remove(v);
+        scratch_->displaced.push_back(v);
+      }
+    }
+  }
+  void place_hidden() {
+    CellId near = scratch_->created.front();
+    for (const Buffer<VertexId>* sites : {&scratch_->displaced, &scratch_->swallowed}) {
+      for (const VertexId v : *sites) {
+        WalkStats walked;
+        near = walk(complex_, kernel_, kernel_.at(v), near, walked);
+        mesh_->hidden.add(v, near);
+      }
+    }
   }
 
   /// Vertices whose whole star lay in the cavity have become redundant.
@@ -131,7 +173,6 @@ class Inserter<0> {
   Outcome insert(VertexId q, CellId /*start*/) {
     const CellId c = complex_.cell(complex_.twin(mesh_->complex.incident_cell(kGhost), 0));
     const VertexId v = complex_.vertex(c, 0);
-    mesh_->reserve_duplicate();
     if (const auto outcome = meet_at_same_place(*mesh_, q, v)) return *outcome;
     complex_.forget(v);
     complex_.set_vertex(c, 0, q);

@@ -21,6 +21,30 @@ struct EdgeTable {
   std::array<std::array<std::uint16_t, 3>, 2 * kVertices> numbers;  ///< per new cell, of its three boundary vertices
 };
 
+/// What a removal plans: the hole, and the cells that will fill it.
+struct Hole {
+  Buffer<VertexId> link;                    ///< finite vertices of the star that goes
+  Buffer<VertexId> asked;                   ///< hidden sites of the star, by ascending row
+  Buffer<VertexId> revived;                 ///< those of them that will be vertices
+  Buffer<std::array<VertexId, 2>> repeats;  ///< those that will repeat another one, and which
+  Buffer<Index> cells;                      ///< per new cell its vertices, then its twins
+  Buffer<FacetId> outside;                  ///< per facet of the boundary the facet beyond it
+  Buffer<Index> closed;                     ///< per facet of the boundary the new facet on it
+  Buffer<Index> open;                       ///< facets on which no new cell stands yet
+  Buffer<Index> table;                      ///< of a FacetTable
+
+  void clear() {
+    for (auto* buffer : {&link, &asked, &revived}) buffer->clear();
+    repeats.clear();
+    for (auto* buffer : {&cells, &closed, &open}) buffer->clear();
+  }
+  std::size_t memory_bytes() const {
+    return (link.capacity() + asked.capacity() + revived.capacity() + 2 * repeats.capacity()) * sizeof(VertexId) +
+           (cells.capacity() + closed.capacity() + open.capacity() + table.capacity()) * sizeof(Index) +
+           outside.capacity() * sizeof(FacetId);
+  }
+};
+
 struct Scratch {
   // A type of its own, not a character type: a store of one may change no other number, and the compiler knows.
   enum class Mark : std::uint8_t { none, conflicting };
@@ -31,8 +55,10 @@ struct Scratch {
   Buffer<FacetId> boundary;    ///< facets between the cavity and what stays, seen from inside
   Buffer<CellId> created;      ///< the star, in the order of `boundary`
   Buffer<VertexId> swallowed;  ///< vertices whose whole star lay in the cavity, with weights
+  Buffer<VertexId> displaced;  ///< hidden sites of cells that go, where they are known
   Buffer<CellId> removed;      ///< the cells of the cavity, when somebody asked for them
   EdgeTable edges;
+  Hole hole;
   Buffer<double> planes;  ///< above 3D, per cell slot a Hyperplane; not yet known where it starts with NaN
 
   /// Doubles that the hyperplane of a cell of dimension k takes; none are kept where a test from coordinates is as
@@ -54,9 +80,11 @@ struct Scratch {
     reserve_cells(dimension, slots + boundary.size());
   }
   std::size_t memory_bytes() const {
-    return marks.capacity() + edges.number.capacity() * sizeof(std::uint16_t) + planes.capacity() * sizeof(double) +
+    return hole.memory_bytes() + marks.capacity() + edges.number.capacity() * sizeof(std::uint16_t) +
+           planes.capacity() * sizeof(double) +
            (cavity.capacity() + pending.capacity() + boundary.capacity()) * sizeof(FacetId) +
-           swallowed.capacity() * sizeof(VertexId) + (created.capacity() + removed.capacity()) * sizeof(CellId);
+           (swallowed.capacity() + displaced.capacity()) * sizeof(VertexId) +
+           (created.capacity() + removed.capacity()) * sizeof(CellId);
   }
 };
 

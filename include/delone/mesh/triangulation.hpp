@@ -12,6 +12,8 @@
 #include "delone/geometry/kernel.hpp"
 #include "delone/geometry/points.hpp"
 #include "delone/geometry/sites.hpp"
+#include "delone/mesh/duplicates.hpp"
+#include "delone/mesh/hidden.hpp"
 #include "delone/mesh/scratch.hpp"
 #include "delone/topology/complex.hpp"
 
@@ -22,6 +24,7 @@ enum class Status : std::uint8_t {
   vertex,     ///< it is a vertex of the triangulation
   duplicate,  ///< a vertex stands at the same place with the same weight
   hidden,     ///< redundant by its weight: its lifted point lies above the lower hull
+  removed,    ///< it was removed; no later point takes its row
 };
 
 struct RowStatus {
@@ -47,15 +50,18 @@ struct Mesh {
 
   Sites sites;
   Complex complex;
-  /// Site and vertex of every site that was found at the place of a vertex with the same weight, by ascending site.
-  /// The vertex may have been hidden since; then so is the site.
-  std::vector<std::pair<VertexId, VertexId>> duplicates;
+  /// Sites that were found at the place of a vertex with the same weight. The vertex may have been hidden since; then
+  /// so are they.
+  Duplicates duplicates;
+  HiddenSites hidden;
   std::size_t vertex_count = 0;
   BuildStatistics statistics;
   Scratch scratch;
 
-  void reserve_duplicate() {
-    if (duplicates.size() == duplicates.capacity()) duplicates.reserve(2 * duplicates.size() + 8);
+  /// Row r becomes names[r], ascending numbers below `count`.
+  void rename_rows(std::span<const Index> names, std::size_t count) {
+    sites.rename_rows(names, count);
+    duplicates.rename_rows(names);
   }
 };
 
@@ -74,23 +80,28 @@ class AnyTriangulation {
   int affine_dimension() const { return mesh_.sites.flat().dimension; }  ///< -1 without points
   bool weighted() const { return mesh_.sites.weighted(); }
 
-  std::size_t row_count() const { return mesh_.sites.size(); }
+  /// Rows so far; those of removed points count, and keep their numbers.
+  std::size_t row_count() const { return mesh_.sites.row_count(); }
+  std::size_t removed_count() const { return row_count() - mesh_.sites.present_count(); }
   std::size_t vertex_count() const { return mesh_.vertex_count; }
   std::size_t duplicate_count() const;
-  std::size_t hidden_count() const { return row_count() - vertex_count() - duplicate_count(); }
+  std::size_t hidden_count() const { return mesh_.sites.present_count() - vertex_count() - duplicate_count(); }
   std::size_t cell_count() const { return mesh_.complex.live_count() - mesh_.complex.ghost_count(); }
   std::size_t hull_facet_count() const { return affine_dimension() > 0 ? mesh_.complex.ghost_count() : 0; }
   std::size_t memory_bytes() const;
 
   RowStatus status(Index row) const;
-  /// Coordinates of a row, as given.
+  /// Coordinates of a row that is not removed, as given.
   std::vector<double> point(Index row) const;
   double weight(Index row) const { return mesh_.sites.weight(mesh_.sites.vertex(row)); }
-  /// All rows again, as given: row_count() x dimension() coordinates.
+  /// All rows that are not removed, ascending.
+  std::vector<Index> present_rows() const;
+  /// All rows again, as given: row_count() x dimension() coordinates, NaN for removed rows.
   std::vector<double> coordinates() const;
-  std::vector<double> weights() const;  ///< of all rows, empty when there are none
+  std::vector<double> weights() const;  ///< of all rows, empty when there are none, NaN for removed rows
   /// The input row of a vertex, kNone for the ghost.
   Index row(VertexId v) const { return v == kGhost ? kNone : mesh_.sites.row(v); }
+  /// The site of a row that is not removed.
   VertexId vertex(Index row) const { return mesh_.sites.vertex(row); }
   /// The live cells at a vertex, ghosts included. Cost O(their number).
   std::vector<CellId> star(VertexId v) const;

@@ -51,7 +51,7 @@ class Complex {
 
   std::size_t memory_bytes() const { return (ids_.capacity() + incident_.capacity()) * sizeof(Index); }
 
-  /// Room for `cells` more cells and vertices below `vertex_slots`; on std::bad_alloc nothing has changed.
+  /// Room for `cells` more live cells and vertices below `vertex_slots`; on std::bad_alloc nothing has changed.
   void reserve_more(std::size_t cells, std::size_t vertex_slots);
   /// Vertices below `count` may be used; new ones are in no cell. Requires reserved room.
   void grow_vertices(std::size_t count) { incident_.resize(count, kNone); }
