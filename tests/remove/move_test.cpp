@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -92,9 +93,11 @@ TEST(Move, any_sequence_of_edits_equals_building_from_the_final_set) {
 }
 
 TEST(MoveSlow, thousands_of_edits_equal_building_from_the_final_set) {
+  constexpr std::array<std::size_t, 7> kPool{0, 50, 50, 40, 14, 9, 8};
+  constexpr std::array<int, 7> kSteps{0, 1500, 1500, 1000, 150, 40, 30};
   for (int dimension = 1; dimension <= 6; ++dimension) {
-    const std::size_t n = dimension < 4 ? 120 : (dimension < 6 ? 24 : 14);
-    for (const PointSet& pool : families(dimension, n, 22)) run(pool, dimension < 4 ? 3000 : 400, 97, 6);
+    const auto d = static_cast<std::size_t>(dimension);
+    for (const PointSet& pool : families(dimension, kPool[d], 22)) run(pool, kSteps[d], 199, 6);
   }
 }
 
@@ -124,7 +127,9 @@ TEST(Move, a_point_that_leaves_or_enters_the_flat_of_the_others_changes_the_dime
   EXPECT_EQ(t.affine_dimension(), 2);
   EXPECT_EQ(move(t, 1, std::vector<double>{2, 2}).motion, Motion::rebuilt);
   EXPECT_EQ(t.affine_dimension(), 1);
-  EXPECT_EQ(move(t, 1, std::vector<double>{3, 3}).outcome, Outcome::duplicate);
+  EXPECT_EQ(move(t, 2, std::vector<double>{0, 0}).outcome, Outcome::duplicate);
+  EXPECT_EQ(move(t, 1, std::vector<double>{0, 0}).motion, Motion::rebuilt);
+  EXPECT_EQ(t.affine_dimension(), 0);
 }
 
 TEST(Move, bad_points_are_refused_and_change_nothing) {
