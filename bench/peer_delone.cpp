@@ -1,8 +1,9 @@
-// Delone itself, with the options that a user gets by default.
+// Delone itself: with the options that a user gets by default, and with points inserted one by one in the given order.
 #include <memory>
 
 #include "bench/peer.hpp"
 #include "delone/build/build.hpp"
+#include "delone/locate/hierarchy.hpp"
 
 namespace delone::bench {
 
@@ -21,8 +22,24 @@ Run run(PointsView points) {
   return run;
 }
 
+/// The points are located by a hierarchy.
+Run run_one_by_one(PointsView points) {
+  const Clock clock;
+  AnyTriangulation t(points.dimension(), points.weighted());
+  Hierarchy locator;
+  for (std::size_t row = 0; row < points.size(); ++row) insert(t, points[row], points.weight(row), locator);
+  Run run;
+  clock.stop(run);
+  run.cells = t.cell_count();
+  run.vertices = t.vertex_count();
+  run.bytes = t.memory_bytes() + locator.memory_bytes();
+  return run;
+}
+
 }  // namespace
 
-std::vector<Peer> delone_peers() { return {{"Delone", DELONE_VERSION, fits, run}}; }
+std::vector<Peer> delone_peers() {
+  return {{"Delone", DELONE_VERSION, fits, run}, {"Delone-hierarchy", DELONE_VERSION, fits, run_one_by_one}};
+}
 
 }  // namespace delone::bench

@@ -10,7 +10,7 @@
 namespace delone::lab {
 namespace {
 
-constexpr double kPanelWidth = 380, kPanelHeight = 300;
+constexpr double kPanelWidth = 380, kOnlyPanelWidth = 640, kPanelHeight = 300;
 constexpr double kLeft = 62, kRight = 14, kTop = 34, kBottom = 48;  // between a panel's edge and its axes
 constexpr double kHead = 40, kLegendRow = 22;
 
@@ -104,7 +104,7 @@ class Drawing {
 
   std::string svg(const std::string& title) {
     const std::size_t rows = (panels_.size() + columns_ - 1) / columns_;
-    const double width = kPanelWidth * static_cast<double>(columns_);
+    const double width = panel_width_ * static_cast<double>(columns_);
     const double panels_end = kHead + kPanelHeight * static_cast<double>(rows);
     const double height = panels_end + kLegendRow * static_cast<double>((names_.size() + 1) / 2) + 12;
     text_ = fmt::format(
@@ -114,7 +114,7 @@ class Drawing {
         width, height);
     label(width / 2, 24, title, "middle", "font-size=\"15\" font-weight=\"bold\"");
     for (std::size_t i = 0; i < panels_.size(); ++i) {
-      draw(panels_[i], kPanelWidth * static_cast<double>(i % columns_),
+      draw(panels_[i], panel_width_ * static_cast<double>(i % columns_),
            kHead + kPanelHeight * static_cast<double>(i / columns_));
     }
     for (std::size_t i = 0; i < names_.size(); ++i) draw_key(i, width, panels_end);
@@ -134,7 +134,7 @@ class Drawing {
   }
 
   void draw(const Panel& panel, double left, double top) {
-    const double x0 = left + kLeft, x1 = left + kPanelWidth - kRight;
+    const double x0 = left + kLeft, x1 = left + panel_width_ - kRight;
     const double y0 = top + kPanelHeight - kBottom, y1 = top + kTop;
     const Scale x(panel.x, panel.series, 0, x1 - x0);
     const Scale y(panel.y, panel.series, 1, y0 - y1);
@@ -185,6 +185,7 @@ class Drawing {
   std::size_t columns_;
   std::vector<std::string> names_;
   std::vector<bool> dashed_;
+  double panel_width_ = columns_ == 1 ? kOnlyPanelWidth : kPanelWidth;
   std::string text_;
 };
 

@@ -104,7 +104,7 @@ std::optional<double> estimate(const std::vector<InsertionRun>& smaller, std::si
 }  // namespace
 
 std::vector<LocationMethod> location_methods(bool straight) {
-  std::vector<LocationMethod> methods{{"walk", {}}, {"jump and walk", {}}, {"hierarchy", {}}, {"both", {}}};
+  std::vector<LocationMethod> methods{{"walk", {}}, {"jump and walk", {}}, {"hierarchy", {}}, {"hierarchy + jump", {}}};
   for (std::size_t i = 0; i < methods.size(); ++i) {
     Hierarchy& locator = methods[i].locator;
     locator.max_levels = i < 2 ? 0 : locator.max_levels;

@@ -6,10 +6,16 @@
 #include "delone/base/dispatch.hpp"
 #include "delone/base/random.hpp"
 #include "delone/build/build.hpp"
+#include "delone/remove/remove.hpp"
 #include "locate/marches.hpp"
 #include "locate/reading.hpp"
 
 namespace delone {
+namespace {
+
+constexpr std::size_t kFewRows = 64;  // so many that have left are no reason to build a level again
+
+}  // namespace
 
 Hierarchy::Level::Level(int dimension, double alpha, std::uint64_t seed) : triangulation(dimension) {
   sample.alpha = alpha;
@@ -205,7 +211,10 @@ void Hierarchy::remove_row(std::size_t i, Index row) {
   level.below[row] = level.above[row] = kNone;
   if (row == level.newest) level.newest = kNone;
   ++level.left;
-  renew(i);
+  const auto tell = [&](const Edit& e) { level.sample.update(level.triangulation, e); };
+  remove(level.triangulation, row, {.on_edit = tell});
+  level.place = kNoCell;
+  if (2 * level.left > level.below.size() + kFewRows) renew(i);  // rows are not used again
 }
 
 /// Builds level i again from the rows that have not left, and numbers these anew.

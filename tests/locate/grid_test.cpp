@@ -17,7 +17,7 @@ TEST(Grid, leads_to_every_query_on_every_family) {
 
 TEST(Grid, has_about_one_vertex_a_bucket_in_any_dimension) {
   for (int dimension = 1; dimension <= 6; ++dimension) {
-    const std::size_t n = dimension < 5 ? 3000 : 300;
+    const std::size_t n = dimension < 5 ? 3000 : 100;
     const AnyTriangulation t = build(uniform(dimension, n, 1).view());
     Grid locator;
     attach(locator, t);
@@ -58,6 +58,19 @@ TEST(Grid, memory_is_a_few_ids_a_vertex) {
   Grid locator;
   attach(locator, t);
   EXPECT_LE(locator.memory_bytes(), sizeof locator + 20000 * 4 * sizeof(Index));
+}
+
+TEST(Grid, follows_removals) {
+  const PointSet points = uniform(2, 6000, 9);
+  AnyTriangulation t(2);
+  Grid locator;
+  const auto listen = [&](const Edit& e) { locator.update(t, e); };
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    insert(t, points.view()[row], 0.0, locator);
+    if (row >= 500) remove(t, static_cast<Index>(row - 500), {.on_edit = listen});  // 500 points at a time
+  }
+  EXPECT_LT(mean_steps(locator, t, 300, 4), 6.0);
+  EXPECT_LT(locator.memory_bytes(), sizeof locator + 500 * 80U);
 }
 
 }  // namespace

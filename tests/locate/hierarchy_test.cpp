@@ -141,8 +141,7 @@ TEST(Hierarchy, hidden_vertices_leave_all_levels) {
   EXPECT_LT(locator.level(0).vertex_count(), before);
   std::size_t found = 0;
   const AnyTriangulation& level = locator.level(0);
-  for (Index row = 0; row < level.row_count(); ++row) {
-    if (level.complex().incident_cell(level.vertex(row)) == kNoCell) continue;
+  for (const Index row : level.present_rows()) {
     ++found;
     bool alive = false;
     for (Index base = 0; base < t.row_count() && !alive; ++base) {
@@ -151,6 +150,30 @@ TEST(Hierarchy, hidden_vertices_leave_all_levels) {
     EXPECT_TRUE(alive);
   }
   EXPECT_EQ(found, level.vertex_count());
+}
+
+TEST(Hierarchy, removed_vertices_leave_all_levels_and_rows_that_left_do_not_pile_up) {
+  const PointSet points = uniform(2, 3000, 9);
+  AnyTriangulation t(2);
+  Hierarchy locator = steep();
+  const auto listen = [&](const Edit& e) { locator.update(t, e); };
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    insert(t, points.view()[row], 0.0, locator);
+    if (row >= 300) remove(t, static_cast<Index>(row - 300), {.on_edit = listen});  // 300 points at a time
+  }
+  ASSERT_EQ(t.vertex_count(), 300U);
+  EXPECT_NEAR(static_cast<double>(locator.level(0).vertex_count()), 100.0, 40.0);
+  for (std::size_t i = 0; i < locator.level_count(); ++i) {
+    const AnyTriangulation& level = locator.level(i);
+    EXPECT_EQ(broken_invariant(level), "");
+    EXPECT_LE(level.removed_count(), level.vertex_count() + 64);
+    for (const Index row : level.present_rows()) {
+      const auto newest = points.coordinates.end() - 600;
+      const std::vector<double> x = level.point(row);
+      EXPECT_NE(std::search(newest, points.coordinates.end(), x.begin(), x.end()), points.coordinates.end());
+    }
+  }
+  EXPECT_LT(mean_steps(locator, t, 300, 4), 6.0);
 }
 
 TEST(Hierarchy, costs_little_memory) {

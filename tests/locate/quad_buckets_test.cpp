@@ -62,12 +62,25 @@ TEST(QuadBuckets, follow_clusters_where_a_grid_crowds) {
 
 TEST(QuadBuckets, nodes_stay_fewer_than_vertices) {
   for (int dimension = 1; dimension <= 6; ++dimension) {
-    const std::size_t n = dimension < 5 ? 2000 : 300;
+    const std::size_t n = dimension < 5 ? 2000 : 100;
     const AnyTriangulation t = build(uniform(dimension, n, 1).view());
     QuadBuckets locator;
     attach(locator, t);
     EXPECT_LE(locator.node_count(), 2 * n + 2) << dimension;
   }
+}
+
+TEST(QuadBuckets, follow_removals) {
+  const PointSet points = uniform(2, 6000, 9);
+  AnyTriangulation t(2);
+  QuadBuckets locator;
+  const auto listen = [&](const Edit& e) { locator.update(t, e); };
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    insert(t, points.view()[row], 0.0, locator);
+    if (row >= 500) remove(t, static_cast<Index>(row - 500), {.on_edit = listen});  // 500 points at a time
+  }
+  EXPECT_LT(mean_steps(locator, t, 300, 4), 6.0);
+  EXPECT_LT(locator.memory_bytes(), sizeof locator + 500 * 80U);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct LocationMethod {
   std::string name;
   Hierarchy locator;
 };
-/// walk, jump and walk, hierarchy, hierarchy and jump and walk. @param straight  march as [Dev97] 2.2 on all levels,
+/// walk, jump and walk, hierarchy, hierarchy with jump and walk on its highest level. @param straight  march as [Dev97] 2.2 on all levels,
 /// else by the visibility walk
 std::vector<LocationMethod> location_methods(bool straight);
 
