@@ -186,7 +186,8 @@ std::string tuning_csv(const std::vector<TuningPoint>& curve) {
 }
 
 std::string tuning_svg(const std::vector<TuningPoint>& curve) {
-  lab::Panel panel{"uniform points and queries", {"ratio of two levels", true}, {"operations by log2 n", false, 0, 36}, {}};
+  lab::Panel panel{
+      "uniform points and queries", {"ratio of two levels", true}, {"operations by log2 n", false, 0, 36}, {}};
   lab::Series counted{"counted", {}}, paper{"[Dev97] 4.4", {}, true}, doubled{"with two tests an edge", {}, true};
   for (const TuningPoint& p : curve) {
     counted.points.push_back({p.ratio, p.per_logarithm});

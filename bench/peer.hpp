@@ -4,8 +4,10 @@
 #include <malloc.h>
 #include <time.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -69,6 +71,21 @@ Run measure(Build&& build, Counts&& counts) {
   clock.stop(run);
   run.bytes = allocated() - before;
   counts(*result, run);
+  return run;
+}
+
+/// The time to remove one vertex in `share`, chosen at random, one after the other. Counts as for measure().
+template <class T, class Handles, class Counts>
+Run measure_removal(T& t, Handles vertices, std::size_t share, Counts&& counts) {
+  std::mt19937_64 random(1);
+  std::shuffle(vertices.begin(), vertices.end(), random);
+  vertices.resize(vertices.size() / share);
+  const Clock clock;
+  for (const auto& v : vertices) t.remove(v);
+  Run run;
+  clock.stop(run);
+  run.bytes = allocated();
+  counts(t, run);
   return run;
 }
 

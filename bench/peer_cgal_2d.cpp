@@ -61,6 +61,20 @@ Run run_hierarchy(PointsView view) {
       });
 }
 
+template <std::size_t Share>
+Run remove_vertices(PointsView view) {
+  std::vector<K::Point_2> points;
+  for (std::size_t i = 0; i < view.size(); ++i) points.emplace_back(view[i][0], view[i][1]);
+  Delaunay t;
+  t.insert(points.begin(), points.end());
+  std::vector<Delaunay::Vertex_handle> vertices;
+  for (auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v) vertices.push_back(v);
+  return measure_removal(t, vertices, Share, [](const Delaunay& rest, Run& run) {
+    run.cells = rest.number_of_faces();
+    run.vertices = rest.number_of_vertices();
+  });
+}
+
 Run run_indexed(PointsView view) {
   std::vector<std::pair<K::Point_2, unsigned>> points;
   for (std::size_t i = 0; i < view.size(); ++i)
@@ -80,6 +94,8 @@ std::vector<Peer> cgal_2d_peers() {
   const auto bare = [](int d, bool weighted) { return d == 2 && !weighted; };
   const auto with_weights = [](int d, bool weighted) { return d == 2 && weighted; };
   return {{"CGAL", CGAL_VERSION_STR, bare, run_delaunay},
+          {"CGAL-remove-10", CGAL_VERSION_STR, bare, remove_vertices<10>},
+          {"CGAL-remove-20", CGAL_VERSION_STR, bare, remove_vertices<20>},
           {"CGAL-indexed", CGAL_VERSION_STR, bare, run_indexed},
           {"CGAL-hierarchy", CGAL_VERSION_STR, bare, run_hierarchy},
           {"CGAL", CGAL_VERSION_STR, with_weights, run_regular}};

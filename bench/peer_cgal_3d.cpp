@@ -30,6 +30,20 @@ Run run_delaunay(PointsView view) {
   return insert_range<CGAL::Delaunay_triangulation_3<K>>(points);
 }
 
+template <std::size_t Share>
+Run remove_vertices(PointsView view) {
+  using Delaunay = CGAL::Delaunay_triangulation_3<K>;
+  std::vector<K::Point_3> points;
+  for (std::size_t i = 0; i < view.size(); ++i) points.emplace_back(view[i][0], view[i][1], view[i][2]);
+  Delaunay t(points.begin(), points.end());
+  std::vector<Delaunay::Vertex_handle> vertices;
+  for (auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v) vertices.push_back(v);
+  return measure_removal(t, vertices, Share, [](const Delaunay& rest, Run& run) {
+    run.cells = rest.number_of_finite_cells();
+    run.vertices = rest.number_of_vertices();
+  });
+}
+
 Run run_regular(PointsView view) {
   std::vector<K::Weighted_point_3> points;
   for (std::size_t i = 0; i < view.size(); ++i)
@@ -40,7 +54,10 @@ Run run_regular(PointsView view) {
 }  // namespace
 
 std::vector<Peer> cgal_3d_peers() {
-  return {{"CGAL", CGAL_VERSION_STR, [](int d, bool weighted) { return d == 3 && !weighted; }, run_delaunay},
+  const auto bare = [](int d, bool weighted) { return d == 3 && !weighted; };
+  return {{"CGAL", CGAL_VERSION_STR, bare, run_delaunay},
+          {"CGAL-remove-10", CGAL_VERSION_STR, bare, remove_vertices<10>},
+          {"CGAL-remove-20", CGAL_VERSION_STR, bare, remove_vertices<20>},
           {"CGAL", CGAL_VERSION_STR, [](int d, bool weighted) { return d == 3 && weighted; }, run_regular}};
 }
 

@@ -4,6 +4,7 @@
 #include "bench/peer.hpp"
 #include "delone/build/build.hpp"
 #include "delone/locate/hierarchy.hpp"
+#include "delone/remove/remove.hpp"
 
 namespace delone::bench {
 
@@ -36,10 +37,27 @@ Run run_one_by_one(PointsView points) {
   return run;
 }
 
+/// The time to remove one row in `Share`, one after the other; rows are in random order.
+template <std::size_t Share>
+Run remove_rows(PointsView points) {
+  AnyTriangulation t = build(points);
+  const Clock clock;
+  for (std::size_t row = 0; row < points.size() / Share; ++row) remove(t, static_cast<Index>(row));
+  Run run;
+  clock.stop(run);
+  run.cells = t.cell_count();
+  run.vertices = t.vertex_count();
+  run.bytes = t.memory_bytes();
+  return run;
+}
+
 }  // namespace
 
 std::vector<Peer> delone_peers() {
-  return {{"Delone", DELONE_VERSION, fits, run}, {"Delone-hierarchy", DELONE_VERSION, fits, run_one_by_one}};
+  return {{"Delone", DELONE_VERSION, fits, run},
+          {"Delone-hierarchy", DELONE_VERSION, fits, run_one_by_one},
+          {"Delone-remove-10", DELONE_VERSION, fits, remove_rows<10>},
+          {"Delone-remove-20", DELONE_VERSION, fits, remove_rows<20>}};
 }
 
 }  // namespace delone::bench

@@ -307,6 +307,34 @@ std::string report_devillers(const Options& o) {
   return text;
 }
 
+/// Removal of random vertices, one call each, from a triangulation that is built outside the clock.
+std::string report_removal(const Options& o, std::vector<Verdict>& verdicts) {
+  if (!o.wants("removal")) return "";
+  std::string text =
+      "\n## Removal of random vertices\n\nOne call each, from a triangulation of uniform points that was built before. "
+      "Seconds, and microseconds a vertex.\n\n| points | removed | Delone | a vertex | CGAL | a vertex | ratio |\n"
+      "| --- | --- | --- | --- | --- | --- | --- |\n";
+  for (const int dimension : {2, 3}) {
+    for (const std::size_t share : {10, 20}) {
+      const Workload w{std::to_string(dimension) + "D uniform 1e6", "uniform", o.points(1000000), dimension};
+      const std::string verb = "-remove-" + std::to_string(share);
+      std::vector<Contestant> contestants{{"Delone", o.native, "Delone" + verb, w},
+                                          {"CGAL", o.native, "CGAL" + verb, w}};
+      alternate(contestants, o.rounds(3));
+      const double removed = static_cast<double>(w.n / share);
+      const double ratio = median(contestants[1]) / median(contestants[0]);
+      text += "| " + w.title + " | " + number(removed, 0);
+      for (const Contestant& c : contestants)
+        text += " | " + seconds_text(c) + " | " + number(1e6 * median(c) / removed, 2);
+      text += " | " + number(ratio, 2) + " |\n";
+      const double target = dimension == 2 ? 1.5 : 2.0;
+      verdicts.push_back({w.title + ", " + number(removed, 0) + " removals, times as fast as CGAL", number(target, 1),
+                          number(ratio, 2), ratio >= target});
+    }
+  }
+  return text;
+}
+
 std::string report_large(const Options& o, std::vector<Verdict>& verdicts) {
   if (!o.wants("large")) return "";
   std::string text =
@@ -367,6 +395,7 @@ void report(const Options& o) {
   const std::string head = header(o);
   std::string body = report_races(o, verdicts);
   body += report_distributions(o, verdicts);
+  body += report_removal(o, verdicts);
   body += report_devillers(o);
   body += report_large(o, verdicts);
 
@@ -399,7 +428,7 @@ int main(int argc, char** argv) {
     if (options.portable.empty()) {
       std::fprintf(stderr,
                    "usage: bench_report NATIVE_WORKER PORTABLE_WORKER [--quick] "
-                   "[2d|3d|weighted|dd|distributions|devillers|large ...]\n");
+                   "[2d|3d|weighted|dd|distributions|removal|devillers|large ...]\n");
       return 2;
     }
     report(options);

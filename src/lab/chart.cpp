@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPanelWidth = 380, kOnlyPanelWidth = 640, kPanelHeight = 300;
 constexpr double kLeft = 62, kRight = 14, kTop = 34, kBottom = 48;  // between a panel's edge and its axes
-constexpr double kHead = 40, kLegendRow = 22;
+constexpr double kHead = 40, kLegendRow = 22, kDigitWidth = 6.5;
 
 /// Told apart also by readers who see few colours (Okabe and Ito).
 constexpr std::array<const char*, 6> kColours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
@@ -139,9 +139,14 @@ class Drawing {
     const Scale x(panel.x, panel.series, 0, x1 - x0);
     const Scale y(panel.y, panel.series, 1, y0 - y1);
     label((x0 + x1) / 2, y1 - 10, panel.title, "middle", "font-weight=\"bold\"");
+    double free_from = left;  // labels must not touch each other
     for (const double tick : x.ticks()) {
       line(x0 + x.at(tick), y0, x0 + x.at(tick), y1, "#DDDDDD");
-      label(x0 + x.at(tick), y0 + 16, tick_label(tick), "middle");
+      const std::string text = tick_label(tick);
+      const double half = 0.5 * kDigitWidth * static_cast<double>(text.size());
+      if (x0 + x.at(tick) - half < free_from) continue;
+      label(x0 + x.at(tick), y0 + 16, text, "middle");
+      free_from = x0 + x.at(tick) + half + 4;
     }
     for (const double tick : y.ticks()) {
       line(x0, y0 - y.at(tick), x1, y0 - y.at(tick), "#DDDDDD");

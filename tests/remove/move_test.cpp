@@ -88,7 +88,7 @@ void run(const PointSet& pool, int steps, int look_every, std::uint64_t seed) {
 
 TEST(Move, any_sequence_of_edits_equals_building_from_the_final_set) {
   for (int dimension = 1; dimension <= 4; ++dimension) {
-    for (const PointSet& pool : families(dimension, dimension < 4 ? 20 : 12, 21)) run(pool, 120, 1, 5);
+    for (const PointSet& pool : families(dimension, dimension < 4 ? 20 : 12, 21)) run(pool, 80, 2, 5);
   }
 }
 

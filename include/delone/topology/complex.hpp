@@ -181,6 +181,7 @@ class ComplexView {
   void forget(VertexId v) { complex_->incident_[raw(v)] = kNone; }
 
   void prefetch(CellId c) const { __builtin_prefetch(base(c)); }
+  void prefetch(VertexId v) const { __builtin_prefetch(complex_->incident_.data() + raw(v), 1); }
 
  private:
   /// Where the vertex opposite f stands; its twin stands kCorners further.
