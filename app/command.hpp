@@ -33,6 +33,7 @@ void add_nearest(CLI::App& app, Command& chosen);
 void add_locate(CLI::App& app, Command& chosen);
 void add_generate(CLI::App& app, Command& chosen);
 void add_edit(CLI::App& app, Command& chosen);
+void add_bench(CLI::App& app, Command& chosen);
 
 /// How points are read; the same options in every command that reads some.
 struct PointInput {

@@ -56,6 +56,7 @@ int parse_and_run(int argc, char** argv) {
   cli::add_locate(app, command);
   cli::add_generate(app, command);
   cli::add_edit(app, command);
+  cli::add_bench(app, command);
   if (argc < 2) {
     std::fputs(app.help().c_str(), stderr);
     return cli::kBadInput;

@@ -1,7 +1,10 @@
-// CGAL in the plane: range insertion, which sorts spatially; bare, with an index per vertex, and weighted.
+// CGAL in the plane: range insertion, which sorts spatially; bare, with an index per vertex, and weighted; and its
+// hierarchy [Dev97], with points inserted one by one in the given order.
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_2.h>
+#include <CGAL/Triangulation_hierarchy_2.h>
+#include <CGAL/Triangulation_hierarchy_vertex_base_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/version.h>
 
@@ -18,6 +21,9 @@ using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Delaunay = CGAL::Delaunay_triangulation_2<K>;
 using Indexed = CGAL::Delaunay_triangulation_2<
     K, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_with_info_2<unsigned, K>>>;
+using Hierarchy = CGAL::Triangulation_hierarchy_2<
+    CGAL::Delaunay_triangulation_2<K, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_hierarchy_vertex_base_2<
+                                          CGAL::Triangulation_vertex_base_2<K>>>>>;
 using Regular = CGAL::Regular_triangulation_2<K>;
 
 template <class T, class Points>
@@ -38,6 +44,21 @@ Run run_delaunay(PointsView view) {
   std::vector<K::Point_2> points;
   for (std::size_t i = 0; i < view.size(); ++i) points.emplace_back(view[i][0], view[i][1]);
   return insert_range<Delaunay>(points);
+}
+
+Run run_hierarchy(PointsView view) {
+  std::vector<K::Point_2> points;
+  for (std::size_t i = 0; i < view.size(); ++i) points.emplace_back(view[i][0], view[i][1]);
+  return measure(
+      [&] {
+        auto t = std::make_unique<Hierarchy>();
+        for (const K::Point_2& point : points) t->insert(point);
+        return t;
+      },
+      [](const Hierarchy& t, Run& run) {
+        run.cells = t.number_of_faces();
+        run.vertices = t.number_of_vertices();
+      });
 }
 
 template <std::size_t Share>
@@ -76,6 +97,7 @@ std::vector<Peer> cgal_2d_peers() {
           {"CGAL-remove-10", CGAL_VERSION_STR, bare, remove_vertices<10>},
           {"CGAL-remove-20", CGAL_VERSION_STR, bare, remove_vertices<20>},
           {"CGAL-indexed", CGAL_VERSION_STR, bare, run_indexed},
+          {"CGAL-hierarchy", CGAL_VERSION_STR, bare, run_hierarchy},
           {"CGAL", CGAL_VERSION_STR, with_weights, run_regular}};
 }
 

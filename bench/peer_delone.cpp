@@ -1,8 +1,9 @@
-// Delone itself, with the options that a user gets by default.
+// Delone itself: with the options that a user gets by default, and with points inserted one by one in the given order.
 #include <memory>
 
 #include "bench/peer.hpp"
 #include "delone/build/build.hpp"
+#include "delone/locate/hierarchy.hpp"
 #include "delone/remove/remove.hpp"
 
 namespace delone::bench {
@@ -19,6 +20,20 @@ Run run(PointsView points) {
   run.cells = t.cell_count();
   run.vertices = t.vertex_count();
   run.bytes = t.memory_bytes();
+  return run;
+}
+
+/// The points are located by a hierarchy.
+Run run_one_by_one(PointsView points) {
+  const Clock clock;
+  AnyTriangulation t(points.dimension(), points.weighted());
+  Hierarchy locator;
+  for (std::size_t row = 0; row < points.size(); ++row) insert(t, points[row], points.weight(row), locator);
+  Run run;
+  clock.stop(run);
+  run.cells = t.cell_count();
+  run.vertices = t.vertex_count();
+  run.bytes = t.memory_bytes() + locator.memory_bytes();
   return run;
 }
 
@@ -40,6 +55,7 @@ Run remove_rows(PointsView points) {
 
 std::vector<Peer> delone_peers() {
   return {{"Delone", DELONE_VERSION, fits, run},
+          {"Delone-hierarchy", DELONE_VERSION, fits, run_one_by_one},
           {"Delone-remove-10", DELONE_VERSION, fits, remove_rows<10>},
           {"Delone-remove-20", DELONE_VERSION, fits, remove_rows<20>}};
 }

@@ -273,6 +273,30 @@ std::string report_distributions(const Options& o, std::vector<Verdict>& verdict
   return text;
 }
 
+/// [Dev97] 5.5.3 against what there is today.
+std::string report_devillers(const Options& o) {
+  if (!o.wants("devillers")) return "";
+  const std::vector<std::string> peers{"Delone", "Delone-hierarchy", "CGAL", "CGAL-hierarchy", "Qhull"};
+  const std::size_t n = o.points(500000);
+  std::string text =
+      "\n## Comparison of [Dev97] 5.5.3\n\n2D, " + std::to_string(n) +
+      " points of 24 bits. Seconds. In the columns \"one by one\" the points are inserted in the order in "
+      "which they come, which is\nrandom, and located by a hierarchy of levels; the other columns choose "
+      "their order themselves.\n\n"
+      "| points | Delone | Delone, one by one | CGAL | CGAL, one by one | Qhull |\n"
+      "| --- | --- | --- | --- | --- | --- |\n";
+  for (const char* kind : {"uniform", "ellipse2", "ellipse", "parabola", "circle"}) {
+    const std::string title = kind == std::string("uniform") ? "random" : kind;
+    std::vector<Contestant> contestants;
+    for (const std::string& peer : peers) contestants.push_back({peer, o.native, peer, {title, kind, n, 2, 24}});
+    alternate(contestants, o.rounds(3));
+    text += "| " + title;
+    for (const Contestant& c : contestants) text += " | " + seconds_text(c);
+    text += " |\n";
+  }
+  return text;
+}
+
 /// Removal of random vertices, one call each, from a triangulation that is built outside the clock.
 std::string report_removal(const Options& o, std::vector<Verdict>& verdicts) {
   if (!o.wants("removal")) return "";
@@ -340,6 +364,7 @@ void report(const Options& o) {
   std::string body = report_races(o, verdicts);
   body += report_distributions(o, verdicts);
   body += report_removal(o, verdicts);
+  body += report_devillers(o);
   body += report_large(o, verdicts);
 
   std::string targets = "## Targets\n\n| what | target | reached | met |\n| --- | --- | --- | --- |\n";
@@ -371,7 +396,7 @@ int main(int argc, char** argv) {
     if (options.portable.empty()) {
       std::fprintf(stderr,
                    "usage: bench_report NATIVE_WORKER PORTABLE_WORKER [--quick] "
-                   "[2d|3d|weighted|dd|distributions|removal|large ...]\n");
+                   "[2d|3d|weighted|dd|distributions|removal|devillers|large ...]\n");
       return 2;
     }
     report(options);

@@ -7,7 +7,8 @@ set_target_properties(delone PROPERTIES EXPORT_NAME delone)
 target_compile_features(delone PUBLIC cxx_std_20)
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/delone)
 install(TARGETS delone EXPORT deloneTargets COMPONENT library)
-install(DIRECTORY include/delone DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT library PATTERN io EXCLUDE)
+install(DIRECTORY include/delone DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT library PATTERN io EXCLUDE
+  PATTERN lab EXCLUDE)
 install(EXPORT deloneTargets NAMESPACE delone:: DESTINATION ${package_directory} COMPONENT library)
 
 configure_package_config_file(cmake/deloneConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/deloneConfig.cmake

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 const std::map<std::string, int> kLayers{
     {"base", 1},   {"exact", 2}, {"topology", 2}, {"geometry", 3}, {"order", 3}, {"mesh", 4},
     {"locate", 5}, {"build", 5}, {"remove", 5},   {"dual", 5},     {"query", 5}, {"check", 5},
-    {"apps", 6},   {"io", 6},    {"parallel", 6}, {"mpi", 7},      {"app", 8},
+    {"apps", 6},   {"io", 6},    {"parallel", 6}, {"lab", 6},      {"mpi", 7},   {"app", 8},
 };
 
 /// Folders that never see each other, although their heights would allow it.
