@@ -9,7 +9,7 @@
 
 #include "delone/base/errors.hpp"
 #include "delone/build/build.hpp"
-#include "remove/edits.hpp"
+#include "support/ledger.hpp"
 #include "support/expectations.hpp"
 #include "support/families.hpp"
 

@@ -11,7 +11,7 @@
 #include "delone/build/build.hpp"
 #include "delone/build/insert.hpp"
 #include "delone/mesh/export.hpp"
-#include "remove/edits.hpp"
+#include "support/ledger.hpp"
 #include "support/expectations.hpp"
 #include "support/families.hpp"
 

@@ -1,4 +1,4 @@
-#include "remove/edits.hpp"
+#include "support/ledger.hpp"
 
 #include <algorithm>
 
