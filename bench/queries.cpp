@@ -1,7 +1,8 @@
 // Nearest neighbours beside nanoflann: both take turns on the same points and queries, round after round, in one
 // process. Prints bench/QUERIES.md.
-//   bench_queries [--quick]
+//   bench_queries [--quick] [ROUNDS]
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <random>
@@ -148,16 +149,18 @@ void report(int dimension, std::size_t n, int rounds) {
   std::fflush(stdout);
 }
 
-void run(bool quick) {
-  std::printf("# Queries\n\n%s* compiler: %s\n* flags: %s\n* Delone: %s\n* nanoflann: %s, 10 points a leaf\n\n",
-              bench::when_and_where(quick ? ", QUICK" : "").c_str(), DELONE_BENCH_COMPILER, DELONE_BENCH_FLAGS,
-              DELONE_VERSION, bench::nanoflann_version().c_str());
+void run(bool quick, int rounds) {
+  std::printf(
+      "# Queries\n\n%s* compiler: %s\n* flags: %s\n* Delone: %s\n* nanoflann: %s, 10 points a leaf\n\n",
+      bench::when_and_where(quick ? ", QUICK" : ", " + std::to_string(rounds) + (rounds == 1 ? " round" : " rounds"))
+          .c_str(),
+      DELONE_BENCH_COMPILER, DELONE_BENCH_FLAGS, DELONE_VERSION, bench::nanoflann_version().c_str());
   std::printf(
       "One thread, one process; both take turns on the same points and queries, round after round, and a run that had\n"
       "to share its processor is repeated. A batch of Delone contains sorting the queries and putting the answers in\n"
       "their order; nanoflann answers them one after the other. Given are the median and, in brackets, the least and\n"
       "the largest value; ratio: nanoflann's median by Delone's.\n");
-  for (const int dimension : {2, 3}) report(dimension, quick ? 100000 : 1000000, quick ? 1 : 5);
+  for (const int dimension : {2, 3}) report(dimension, quick ? 100000 : 1000000, rounds);
   if (disturbed > 0) std::printf("\n%d runs had to share their processor: measure again.\n", disturbed);
 }
 
@@ -165,7 +168,9 @@ void run(bool quick) {
 
 int main(int argc, char** argv) {
   try {
-    run(argc > 1 && argv[1] == std::string("--quick"));
+    const bool quick = argc > 1 && argv[1] == std::string("--quick");
+    const int given = argc > (quick ? 2 : 1) ? std::atoi(argv[quick ? 2 : 1]) : 0;
+    run(quick, given > 0 ? given : (quick ? 1 : 5));
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_queries: %s\n", error.what());

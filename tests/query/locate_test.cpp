@@ -147,7 +147,7 @@ void expect_brute_force_agrees(const PointSet& points, std::uint64_t seed) {
 
 TEST(LocateQuery, agrees_with_exact_brute_force_on_every_family) {
   for (int dimension = 1; dimension <= 5; ++dimension) {
-    for (const PointSet& points : families(dimension, dimension <= 3 ? 12 : 7, 3)) expect_brute_force_agrees(points, 8);
+    for (const PointSet& points : families(dimension, dimension <= 3 ? 10 : 6, 3)) expect_brute_force_agrees(points, 8);
   }
 }
 

@@ -91,7 +91,7 @@ void expect_brute_force_agrees(const PointSet& points, std::uint64_t seed) {
 
 TEST(Nearest, agrees_with_exact_brute_force_on_every_family) {
   for (int dimension = 1; dimension <= 5; ++dimension) {
-    const std::size_t n = dimension <= 3 ? 20 : 8;
+    const std::size_t n = dimension <= 3 ? 14 : 7;
     for (const PointSet& points : families(dimension, n, 11)) expect_brute_force_agrees(points, 5);
   }
 }
@@ -172,7 +172,7 @@ void expect_equal(const NeighbourLists& a, const NeighbourLists& b) {
 
 TEST(NearestInBatches, equal_single_calls_for_any_number_of_threads) {
   for (int dimension = 1; dimension <= 3; ++dimension) {
-    for (const PointSet& points : families(dimension, 24, 7)) {
+    for (const PointSet& points : families(dimension, 16, 7)) {
       const AnyTriangulation t = built(points);
       const PointSet queries = rows(queries_around(points, 9), 0, 20);
       std::vector<Neighbour> singles;
