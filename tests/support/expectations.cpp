@@ -52,13 +52,27 @@ int orientation(const AnyTriangulation& t, CellId c) {
   });
 }
 
+/// Whether finite cell c contains site v.
+bool holds(const AnyTriangulation& t, CellId c, VertexId v) {
+  return with_dimension<1>(t.affine_dimension(), [&](auto k) {
+    const auto at = [&](VertexId w) { return t.sites().leading() + raw(w) * std::size_t{k}; };
+    for (std::size_t i = 0; i <= k; ++i) {
+      std::array<const double*, k + 1> points;
+      for (std::size_t j = 0; j <= k; ++j) points[j] = at(j == i ? v : t.complex().vertex(c, static_cast<int>(j)));
+      if (slow_orient<k>(points).sign < 0) return false;
+    }
+    return true;
+  });
+}
+
 std::string broken_cell(const AnyTriangulation& t, CellId c) {
   const Complex& complex = t.complex();
   int ghosts = 0;
   for (int i = 0; i < complex.corners(); ++i) {
     const VertexId v = complex.vertex(c, i);
     ghosts += v == kGhost ? 1 : 0;
-    if (v != kGhost && (raw(v) >= t.sites().size() || t.sites().is_empty(v))) return name(c) + " names a vertex that does not exist";
+    if (v != kGhost && (raw(v) >= t.sites().size() || t.sites().is_empty(v)))
+      return name(c) + " names a vertex that does not exist";
     if (v == kGhost && i != complex.dimension() && complex.dimension() != 1)
       return "I4: the ghost is not last in " + name(c);
     if (complex.incident_cell(v) == kNoCell) return name(c) + " has a vertex that is in no cell";
@@ -73,6 +87,30 @@ std::string broken_cell(const AnyTriangulation& t, CellId c) {
   if (ghosts > 1) return "two ghosts in " + name(c);
   if (ghosts == 0 && orientation(t, c) <= 0) return "I4: not positive: " + name(c);
   return "";
+}
+
+/// I13.
+std::string broken_hidden_lists(const AnyTriangulation& t) {
+  const Mesh& mesh = t.mesh();
+  if (!mesh.hidden.kept()) return "";
+  std::size_t listed = 0;
+  for (std::size_t s = 0; s < t.complex().slot_count(); ++s) {
+    const CellId c{static_cast<Index>(s)};
+    for (VertexId v = mesh.hidden.first(c); v != kGhost; v = mesh.hidden.next(v)) {
+      ++listed;
+      if (!t.complex().is_live(c) || t.complex().is_ghost(c)) return "I13: a list at a cell that is not there";
+      if (mesh.hidden.cell(v) != c) return "I13: a site in the list of another cell";
+      if (t.complex().incident_cell(v) != kNoCell) return "I13: a vertex in a list of hidden sites";
+      if (!holds(t, c, v)) return "I13: a hidden site outside its cell";
+    }
+  }
+  std::size_t hidden = 0;
+  for (std::size_t i = 0; i < t.sites().size(); ++i) {
+    const VertexId v{static_cast<Index>(i)};
+    if (t.sites().is_empty(v) || t.complex().incident_cell(v) != kNoCell) continue;
+    hidden += mesh.duplicates.vertex_of(v) == kGhost ? 1 : 0;
+  }
+  return listed == hidden ? "" : "I13: a hidden site is in no list";
 }
 
 }  // namespace
@@ -122,7 +160,8 @@ std::string broken_invariant(const AnyTriangulation& t) {
     const auto corners = facet_vertices(complex, c, -1);
     if (!complex.is_live(c) || std::ranges::find(corners, v) == corners.end()) return "a wrong incident cell";
   }
-  return vertices == t.vertex_count() ? "" : "vertices are miscounted";
+  if (vertices != t.vertex_count()) return "vertices are miscounted";
+  return broken_hidden_lists(t);
 }
 
 std::vector<std::vector<Index>> sorted_cells(const AnyTriangulation& t) {
