@@ -118,7 +118,7 @@ class Remover {
   }
 
  private:
-  /// Links of more vertices are triangulated; in bench/DEAD_ENDS.md are the figures.
+  /// Links of more vertices are triangulated. Figures: bench/DEAD_ENDS.md.
   static constexpr std::size_t kWrapped = K <= 2 ? 32 : (K == 3 ? 40 : 0);
 
   /// The new cells, in the way that suits the hole.
@@ -294,7 +294,7 @@ class Remover {
   }
 
   // --- In the plane, inside the hull: the hole is a polygon, and each triangle splits what is left of it in two ---
-  // No facet is looked up: removal takes 0.6 of the instructions that wrapping does (bench/DEAD_ENDS.md).
+  // No facet is looked up (figures: bench/DEAD_ENDS.md).
 
   void split_polygon() requires(K == 2) {
     auto& link = hole_->link;
