@@ -56,7 +56,9 @@ void insert(AnyTriangulation& t, PointsView batch, const BuildOptions& options) 
   if (batch.empty()) return;
   const ExactEnvironment environment;
   require_fit(t, batch);
-  if (batch.size() >= t.sites().present_count() || leave_flat(t, batch)) {
+  const std::size_t present = t.sites().present_count();
+  const bool many_empty = t.sites().size() > 2 * present + batch.size();  // a batch is appended; start afresh at times
+  if (batch.size() >= present || many_empty || leave_flat(t, batch)) {
     AnyTriangulation anew = with_batch(t, batch, options);
     std::swap(t, anew);
     return;

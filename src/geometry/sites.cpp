@@ -115,13 +115,13 @@ void Sites::take_back(VertexId v) {
 }
 
 void Sites::rename_rows(std::span<const Index> names, std::size_t count) {
-  Buffer<Index> vertex_of;
-  vertex_of.resize(count, kNone);
+  Buffer<Index> renamed;
+  renamed.resize(count, kNone);
   for (std::size_t v = 0; v < size(); ++v) {
     row_of_[v] = names[row_of_[v]];
-    vertex_of[row_of_[v]] = static_cast<Index>(v);
+    renamed[row_of_[v]] = static_cast<Index>(v);
   }
-  vertex_of_.swap(vertex_of);
+  vertex_of_.swap(renamed);
 }
 
 void Sites::move(VertexId v, std::span<const double> point, double weight) {

@@ -270,11 +270,11 @@ Sites load_sites(const Header& header, Reader& from) {
   Sites sites(static_cast<int>(header.dimension), header.weighted, header.flat);
   sites.reserve_more(header.sites);
   const std::vector<Index> row_of = load_rows(header, from);
+  sites.grow_rows(header.rows);
   for (std::size_t i = 0; i < header.sites; ++i) {
     sites.append(std::span(coordinates).subspan(i * header.dimension, header.dimension),
                  header.weighted ? weights[i] : 0.0, row_of[i]);
   }
-  sites.grow_rows(header.rows);
   return sites;
 }
 

@@ -88,7 +88,12 @@ Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites) {
 
 void keep_hidden_sites(Mesh& mesh) {
   if (mesh.hidden.kept() || !mesh.sites.weighted() || mesh.complex.dimension() < 1) return;
-  with_dimension<1>(mesh.complex.dimension(), [&](auto dimension) { find_hidden_sites<dimension>(mesh); });
+  try {
+    with_dimension<1>(mesh.complex.dimension(), [&](auto dimension) { find_hidden_sites<dimension>(mesh); });
+  } catch (...) {
+    mesh.hidden = {};
+    throw;
+  }
   mesh.hidden.keep();
 }
 

@@ -17,7 +17,10 @@ void require_fit(const AnyTriangulation& t, PointsView points) {
     throw InputError("weights: the triangulation was made without any");
   }
   require_finite(points);
-  require_row_count(t.sites().size() + points.size(), t.dimension());
+  require_row_count(t.sites().present_count() + points.size(), t.dimension());
+  if (t.row_count() + points.size() >= kNone) {
+    throw InputError("row " + std::to_string(t.row_count()) + ": ids of this build cannot name more rows");
+  }
 }
 
 void require_fit(const AnyTriangulation& t, std::span<const double> point, const double& weight) {

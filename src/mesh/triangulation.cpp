@@ -46,9 +46,22 @@ RowStatus AnyTriangulation::status(Index row) const {
 }
 
 std::vector<double> AnyTriangulation::point(Index row) const {
+  require_present(*this, row);
   std::vector<double> x(static_cast<std::size_t>(dimension()));
   mesh_.sites.copy_point(mesh_.sites.vertex(row), x);
   return x;
+}
+
+double AnyTriangulation::weight(Index row) const {
+  require_present(*this, row);
+  return mesh_.sites.weight(mesh_.sites.vertex(row));
+}
+
+void require_present(const AnyTriangulation& t, Index row) {
+  if (row >= t.row_count()) {
+    throw InputError("row " + std::to_string(row) + ": there are only " + std::to_string(t.row_count()) + " rows");
+  }
+  if (t.sites().is_removed(row)) throw InputError("row " + std::to_string(row) + ": it was removed before");
 }
 
 std::vector<Index> AnyTriangulation::present_rows() const {

@@ -1,18 +1,11 @@
 #include "remove/detach.hpp"
 
-#include <string>
 #include <vector>
 
 #include "delone/base/dispatch.hpp"
 #include "remove/remover.hpp"
 
 namespace delone {
-
-void require_row(const AnyTriangulation& t, Index row) {
-  if (t.status(row).status == Status::removed) {
-    throw InputError("row " + std::to_string(row) + ": it was removed before");
-  }
-}
 
 VertexId hand_over(Mesh& mesh, VertexId v, Duplicates::Node& entry) {
   const Index heir = mesh.duplicates.at(v).begin()->second;
@@ -34,6 +27,13 @@ bool detach(Mesh& mesh, VertexId v, Return back, const Listener& on_edit) {
   });
 }
 
+void bring_back(Mesh& mesh, VertexId v, const Listener& on_edit) {
+  with_dimension<1>(mesh.complex.dimension(), [&](auto k) {
+    const Edit edit = Remover<k>(mesh).bring_back(v);
+    if (on_edit) on_edit(edit);
+  });
+}
+
 bool move_in_place(Mesh& mesh, VertexId v, std::span<const double> point, double weight, const Listener& on_edit) {
   if (mesh.complex.dimension() == 0) return false;
   keep_hidden_sites(mesh);
@@ -44,7 +44,14 @@ bool move_in_place(Mesh& mesh, VertexId v, std::span<const double> point, double
     if (!Remover<k>(mesh).collect_inner_star(v)) return false;
     mesh.sites.move(v, point, weight);
     Remover<k> remover(mesh);  // knows the new numbers
-    if (!remover.star_is_regular()) {
+    bool stays = false;
+    try {
+      stays = remover.star_is_regular();
+    } catch (...) {
+      mesh.sites.move(v, old, old_weight);
+      throw;
+    }
+    if (!stays) {
       mesh.sites.move(v, old, old_weight);
       return false;
     }

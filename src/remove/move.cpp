@@ -51,12 +51,11 @@ Motion move_vertex(AnyTriangulation& t, Index row, const Position& to, const Lis
   const VertexId v = mesh.sites.vertex(row);
   if (move_in_place(mesh, v, to.point, to.weight, on_edit)) return Motion::in_place;
   if (!detach(mesh, v, Return::possible, on_edit)) return rebuild(t, row, to, on_edit);
-  const CellId nearby = mesh.scratch.created.front();
   try {
-    arrive(mesh, v, to, nearby, on_edit);
+    arrive(mesh, v, to, mesh.scratch.created.front(), on_edit);
     return Motion::reinserted;
   } catch (...) {
-    insert_one(mesh, v, nearby, on_edit);  // back to its place, for which there is room
+    bring_back(mesh, v, on_edit);
     throw;
   }
 }
@@ -105,7 +104,7 @@ Motion move_row(AnyTriangulation& t, Index row, const Position& to, const Insert
 Moved move(AnyTriangulation& t, Index row, std::span<const double> point, std::optional<double> weight,
            const InsertOptions& options) {
   const ExactEnvironment environment;
-  require_row(t, row);
+  require_present(t, row);
   const Position to{{point.begin(), point.end()}, weight.value_or(t.weight(row))};
   require_fit(t, to.point, to.weight);
   const Motion motion = move_row(t, row, to, options);

@@ -23,7 +23,7 @@ Removed remove_row(AnyTriangulation& t, Index row, const Listener& on_edit) {
   } else if (!mesh.duplicates.at(v).empty()) {
     Duplicates::Node entry;
     hand_over(mesh, v, entry);
-    removed.heir = entry.value().second;
+    if (removed.was == Status::vertex) removed.heir = entry.value().second;
   } else if (mesh.complex.incident_cell(v) == kNoCell) {
     if (mesh.hidden.holds(v)) mesh.hidden.remove(v);
   } else if (!detach(mesh, v, Return::never, on_edit)) {
@@ -38,39 +38,49 @@ Removed remove_row(AnyTriangulation& t, Index row, const Listener& on_edit) {
   return removed;
 }
 
+/// Removes rows along the curve. False when that is more work than building the rest: when many cells change, or all.
+bool remove_one_by_one(AnyTriangulation& t, std::span<const Index> rows, const Progress& progress) {
+  constexpr std::size_t kTick = 1024;
+  std::vector<Index> order(rows.begin(), rows.end());
+  std::ranges::sort(order, {}, [&](Index row) { return t.vertex(row); });
+  std::size_t left = 4 * t.complex().live_count();  // cells that may be made
+  bool rebuilt = false;
+  const Listener listen = [&](const Edit& edit) {
+    left -= std::min(left, edit.created.size());
+    rebuilt = edit.rebuilt;
+  };
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i % kTick == 0 && progress && !progress(static_cast<double>(i) / static_cast<double>(order.size()))) {
+      throw Cancelled();
+    }
+    remove_row(t, order[i], listen);
+    if ((rebuilt || left == 0) && i + 1 < order.size()) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Removed remove(AnyTriangulation& t, Index row, const RemoveOptions& options) {
   const ExactEnvironment environment;
-  require_row(t, row);
+  require_present(t, row);
   return remove_row(t, row, options.on_edit);
 }
 
 void remove(AnyTriangulation& t, std::span<const Index> rows, const Progress& progress) {
-  constexpr std::size_t kTick = 1024;
   const ExactEnvironment environment;
   std::vector<bool> goes(t.row_count(), false);
   for (const Index row : rows) {
-    require_row(t, row);
+    require_present(t, row);
     if (goes[row]) throw InputError("row " + std::to_string(row) + ": it is to be removed twice");
     goes[row] = true;
   }
   if (rows.empty()) return;
   AnyTriangulation rest(t.dimension());
-  if (2 * rows.size() >= t.sites().present_count()) {
+  if (2 * rows.size() >= t.sites().present_count() || !remove_one_by_one(rest = t, rows, progress)) {
     std::vector<Index> kept = t.present_rows();
     std::erase_if(kept, [&](Index row) { return goes[row]; });
     rest = triangulated_anew(t, points_of(t, std::move(kept)), t.row_count(), 1, progress);
-  } else {
-    rest = t;
-    std::vector<Index> order(rows.begin(), rows.end());  // along the curve
-    std::ranges::sort(order, {}, [&](Index row) { return t.vertex(row); });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      if (i % kTick == 0 && progress && !progress(static_cast<double>(i) / static_cast<double>(order.size()))) {
-        throw Cancelled();
-      }
-      remove_row(rest, order[i], nullptr);
-    }
   }
   std::swap(t, rest);
 }

@@ -44,7 +44,7 @@ class Remover {
 
   /// Finds what will take the place of v's star. False when every finite cell is in the star: what stays may be flat,
   /// and is to be built anew. On an exception nothing has changed.
-  /// @param may_return  then inserting v again, next and from one of the created cells, needs no memory
+  /// @param may_return  keep what bring_back() needs
   bool plan(VertexId v, bool may_return) {
     scratch_->reserve_cells(K, complex_.slot_count());
     if (mesh_->hidden.kept()) mesh_->hidden.reserve(mesh_->sites.size(), complex_.slot_count());
@@ -55,7 +55,7 @@ class Remover {
     collect_hidden();
     find_cells(v, finite);
     make_room();
-    if (may_return) make_room_to_return();
+    if (may_return) remember_star();
     note_repeats();
     return true;
   }
@@ -73,8 +73,23 @@ class Remover {
     mesh_->vertex_count += hole_->revived.size();
     --mesh_->vertex_count;
     fill();
+    if (!hole_->made.empty()) std::ranges::copy(scratch_->created, hole_->made.begin());
     settle_asked();
     mesh_->statistics.cells_created += scratch_->created.size();
+  }
+
+  /// Undoes what carry_out() did to v, if the plan was made for it and nothing has changed since. Cannot fail.
+  /// @return what this changed; valid until the next change
+  Edit bring_back(const VertexId& v) {
+    for (const VertexId h : hole_->revived) complex_.forget(h);
+    mesh_->vertex_count -= hole_->revived.size();
+    ++mesh_->vertex_count;
+    if (!hole_->asked.empty()) mesh_->hidden = {};
+    for (const CellId c : hole_->made) complex_.destroy(c);
+    hole_->cells.swap(hole_->star);
+    scratch_->created.resize(new_count());
+    fill();
+    return {.gone = hole_->revived, .came = {&v, 1}, .removed = hole_->made, .created = scratch_->created};
   }
 
   /// What carry_out() changed; valid until the next change. @param v  what was removed, valid as long as the edit
@@ -434,12 +449,16 @@ class Remover {
         mesh_->duplicates.change(entry, mesh_->sites.vertex(entry.second), {vertex, entry.second});
       }
     }
-    CellId near = scratch_->created.front();
-    for (const VertexId h : hole_->asked) {
-      if (complex_.has_vertex(h) || mesh_->duplicates.vertex_of(h) != kGhost) continue;
-      WalkStats walked;
-      near = walk(complex_, kernel_, kernel_.at(h), near, walked);
-      mesh_->hidden.add(h, near);
+    try {
+      CellId near = scratch_->created.front();
+      for (const VertexId h : hole_->asked) {
+        if (complex_.has_vertex(h) || mesh_->duplicates.vertex_of(h) != kGhost) continue;
+        WalkStats walked;
+        near = walk(complex_, kernel_, kernel_.at(h), near, walked);
+        mesh_->hidden.add(h, near);
+      }
+    } catch (...) {  // memory ran out within a predicate: the next removal makes the lists anew
+      mesh_->hidden = {};
     }
   }
 
@@ -454,7 +473,7 @@ class Remover {
 
   static Index outside(std::size_t b) { return static_cast<Index>(kNone - 1 - b); }
   static std::size_t boundary(Index f) { return kNone - 1 - f; }
-  bool is_outside(Index f) const { return boundary(f) < scratch_->cavity.size(); }
+  bool is_outside(Index f) const { return boundary(f) < hole_->closed.size(); }
   Index new_count() const { return static_cast<Index>(hole_->cells.size() / kStride); }
   Index new_cell(const Cell& cell) {
     const Index number = new_count();
@@ -493,24 +512,33 @@ class Remover {
     if (mesh_->hidden.kept()) mesh_->hidden.reserve(mesh_->sites.size(), slots);
   }
 
-  void make_room_to_return() {
-    const std::size_t cavity = new_count();
-    const std::size_t star = scratch_->cavity.size();
-    const std::size_t slots = complex_.slot_count() + cavity + star;
-    mesh_->complex.reserve_more(cavity + star, mesh_->sites.size());
-    scratch_->reserve_cells(K, slots);
-    scratch_->cavity.reserve(cavity + 2 * kCorners);
-    scratch_->pending.reserve(3 * cavity + 2 * kCorners);
-    scratch_->boundary.reserve(star + 2 * kCorners);
-    scratch_->created.reserve(star);
-    scratch_->removed.reserve(cavity);
-    if (K == 3 && scratch_->edges.number.size() <= mesh_->sites.size()) {
-      scratch_->edges.number.resize(mesh_->sites.size() + mesh_->sites.size() / 2 + 1, 0);
+  /// The star in the form of new cells, as it is before it goes.
+  void remember_star() {
+    const std::size_t count = scratch_->cavity.size();
+    std::vector<std::pair<CellId, Index>> numbers;
+    for (std::size_t b = 0; b < count; ++b) {
+      numbers.emplace_back(complex_.cell(scratch_->cavity[b]), static_cast<Index>(b));
     }
-    if (!mesh_->sites.weighted()) return;
-    scratch_->swallowed.reserve(cavity + K);
-    scratch_->displaced.reserve(hole_->asked.size());
-    mesh_->hidden.reserve(mesh_->sites.size(), slots);
+    std::ranges::sort(numbers);
+    hole_->star.resize(count * kStride);
+    for (std::size_t b = 0; b < count; ++b) {
+      const CellId c = complex_.cell(scratch_->cavity[b]);
+      Index* const ids = hole_->star.data() + b * kStride;
+      for (int i = 0; i <= K; ++i) {
+        ids[i] = raw(complex_.vertex(c, i));
+        const FacetId across = complex_.twin(c, i);
+        const auto other =
+            std::ranges::lower_bound(numbers, complex_.cell(across), {}, &std::pair<CellId, Index>::first);
+        ids[static_cast<Index>(i) + kCorners] =
+            i == complex_.slot(scratch_->cavity[b])
+                ? outside(b)
+                : other->second * kCorners + static_cast<Index>(complex_.slot(across));
+      }
+    }
+    hole_->made.resize(new_count());
+    scratch_->created.reserve(count);
+    scratch_->removed.reserve(new_count());
+    mesh_->complex.reserve_more(std::max<std::size_t>(count, new_count()), mesh_->sites.size());
   }
 
   void fill() {

@@ -41,12 +41,30 @@ TEST(Sites, rows_and_vertices_are_inverse) {
 TEST(Sites, the_last_one_can_be_taken_back) {
   Sites sites = plane_in_space();
   sites.reserve_more(1);
-  sites.append(std::vector<double>{7, 8, 9}, 1.0, 3);
-  sites.take_back(VertexId{static_cast<Index>(sites.size() - 1)});
-  EXPECT_EQ(sites.size(), 3U);
+  sites.reserve_empty(1);
+  sites.take_back(sites.put(std::vector<double>{7, 8, 9}, 1.0, 3));
+  EXPECT_EQ(sites.present_count(), 3U);
+  EXPECT_EQ(sites.row_count(), 3U);
   EXPECT_EQ(sites.coordinate(VertexId{2}, 1), 2.0);
   sites.append(std::vector<double>{-1, -2, -3}, 1.0, 3);
   EXPECT_EQ(sites.coordinate(sites.vertex(3), 2), -3.0);
+}
+
+TEST(Sites, a_new_point_takes_the_slot_of_a_removed_one_but_not_its_row) {
+  Sites sites = plane_in_space();
+  const VertexId v = sites.vertex(1);
+  sites.reserve_empty(1);
+  sites.remove(v);
+  EXPECT_TRUE(sites.is_empty(v));
+  EXPECT_TRUE(sites.is_removed(1));
+  EXPECT_EQ(sites.present_count(), 2U);
+  EXPECT_EQ(sites.row_count(), 3U);
+  sites.reserve_more(1);
+  EXPECT_EQ(sites.put(std::vector<double>{7, 8, 9}, 2.5, 3), v);
+  EXPECT_EQ(sites.row(v), 3U);
+  EXPECT_EQ(sites.weight(v), 2.5);
+  EXPECT_EQ(sites.coordinate(v, 1), 8.0);
+  EXPECT_TRUE(sites.is_removed(1));
 }
 
 }  // namespace

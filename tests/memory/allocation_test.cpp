@@ -169,6 +169,50 @@ TEST(Allocation, moving_a_point_survives_the_failure_of_each) {
   EXPECT_GT(failures, 1000U);
 }
 
+/// A lattice about a heavy point that hides five light ones, so close to the origin that predicates need integers of
+/// any size, which they allocate.
+PointSet wide_numbers() {
+  PointSet points{"wide numbers", 2, {}, {}};
+  for (int x = -2; x <= 2; ++x) {
+    for (int y = -2; y <= 2; ++y) {
+      const bool centre = x == 0 && y == 0;
+      points.coordinates.push_back(centre ? 1e-300 : x);
+      points.coordinates.push_back(centre ? 1e-300 : y);
+      points.weights.push_back(centre ? 3.0 : 0.0);
+    }
+  }
+  for (const double t : {1.0, 2.0, 3.0, 4.0, 5.0}) {
+    points.coordinates.push_back(t * 1e-300);
+    points.coordinates.push_back(t * t * 1e-301);
+    points.weights.push_back(-4.0);
+  }
+  return points;
+}
+
+TEST(Allocation, predicates_that_allocate_may_fail_as_well) {
+  constexpr Index kCentre = 12;
+  const auto remove_centre = [](AnyTriangulation& t) { remove(t, kCentre); };
+  const auto insert_heavier = [](AnyTriangulation& t) { insert(t, std::vector{1e-300, 3e-300}, 9.0); };
+  const auto move_a_little = [](AnyTriangulation& t) { move(t, kCentre, std::vector{1e-290, -1e-300}); };
+  const auto move_away = [](AnyTriangulation& t) { move(t, kCentre, std::vector{1e-300, 1.0}); };
+  const auto move_onto_another = [](AnyTriangulation& t) { move(t, kCentre, std::vector{1.0, 1.0}); };
+  for (const bool weighted : {true, false}) {
+    PointSet points = wide_numbers();
+    if (!weighted) points.weights.clear();
+    AnyTriangulation hidden_unknown = built(points);
+    AnyTriangulation hidden_known = hidden_unknown;
+    remove(hidden_known, 0);
+    for (const AnyTriangulation& t : {hidden_unknown, hidden_known}) {
+      EXPECT_GT(fail_every_allocation(t, remove_centre), 0U);
+      EXPECT_GT(fail_every_allocation(t, move_a_little), 0U);
+      EXPECT_GT(fail_every_allocation(t, move_away), 0U);
+      EXPECT_GT(fail_every_allocation(t, move_onto_another), 0U);
+      if (!weighted) continue;
+      EXPECT_GT(fail_every_allocation(t, insert_heavier), 0U);
+    }
+  }
+}
+
 TEST(Allocation, removing_a_batch_survives_the_failure_of_each) {
   std::size_t failures = 0;
   for (const PointSet& points : some_families(2)) {

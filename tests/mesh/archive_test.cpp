@@ -14,6 +14,8 @@
 
 #include "delone/base/random.hpp"
 #include "delone/build/insert.hpp"
+#include "delone/mesh/export.hpp"
+#include "delone/remove/remove.hpp"
 #include "support/expectations.hpp"
 #include "support/families.hpp"
 
@@ -118,19 +120,35 @@ TEST(Archive, loading_stops_behind_the_last_byte) {
 TEST(Archive, the_format_is_as_documented) {
   const PointSet points{"segment and a duplicate", 2, {0, 0, 3, 4, 0, 0}, {}};
   const std::string bytes = saved(built(points));
-  EXPECT_EQ(bytes.substr(0, 8), std::string("DELONE\0\1", 8));
+  EXPECT_EQ(bytes.substr(0, 8), std::string("DELONE\0\2", 8));
   const auto w = words(bytes);
-  const std::vector<std::uint64_t> header(w.begin() + 1, w.begin() + 9);
-  EXPECT_THAT(header, ::testing::ElementsAre(4, 2, 0, 1, 0, 3, 1, 3));  // width, D, weighted, k, axis, n, d, m
-  // 9 words, 6 coordinates, 3 rows in 2 words, 2 duplicates in 1, 12 ids in 6, the checksum
-  EXPECT_EQ(w.size(), 9U + 6 + 2 + 1 + 6 + 1);
+  const std::vector<std::uint64_t> header(w.begin() + 1, w.begin() + 10);
+  EXPECT_THAT(header, ::testing::ElementsAre(4, 2, 0, 1, 0, 3, 3, 1, 3));  // width, D, weighted, k, axis, r, n, d, m
+  // 10 words, 6 coordinates, 3 rows in 2 words, 2 duplicates in 1, 12 ids in 6, the checksum
+  EXPECT_EQ(w.size(), 10U + 6 + 2 + 1 + 6 + 1);
+}
+
+TEST(Archive, removed_rows_stay_removed) {
+  for (const PointSet& points : families(2, 24, 3)) {
+    SCOPED_TRACE(points.name);
+    AnyTriangulation t = built(points);
+    for (const Index row : {0U, 5U, 9U, static_cast<unsigned>(points.size()) - 1}) remove(t, row);
+    insert(t, points.view()[5], points.view().weight(5));
+    const AnyTriangulation back = loaded(saved(t));
+    EXPECT_EQ(back.removed_count(), t.removed_count());
+    for (std::size_t row = 0; row < t.row_count(); ++row)
+      EXPECT_EQ(back.status(static_cast<Index>(row)), t.status(static_cast<Index>(row)));
+    EXPECT_EQ(cells(back).vertices, cells(t).vertices);
+    EXPECT_EQ(canonical_hash(back), canonical_hash(t));
+    EXPECT_EQ(saved(loaded(saved(back))), saved(back));
+  }
 }
 
 TEST(Archive, ids_of_eight_bytes_are_read_too) {
   const AnyTriangulation t = built(lattice(2, 9, 3, 1));
   const auto narrow = words(saved(t));
   const std::size_t n = t.row_count();
-  const std::size_t numbers = 10 + 2 * n;  // header and coordinates
+  const std::size_t numbers = 11 + 2 * n;  // header and coordinates
   std::vector<std::uint64_t> wide(narrow.begin(), narrow.begin() + static_cast<std::ptrdiff_t>(numbers));
   wide[1] = 8;
   std::size_t place = numbers;
@@ -168,8 +186,8 @@ TEST(Archive, every_flipped_bit_is_noticed) {
 TEST(Archive, other_files_and_versions_are_told_apart) {
   EXPECT_EQ(complaint("x,y\n1,2\n3,4\n"), "saved triangulation: this is no saved triangulation");
   std::string later = saved(built(uniform(2, 5, 1)));
-  later[7] = 2;
-  EXPECT_EQ(complaint(later), "saved triangulation: version 2 is unknown, this program reads 1");
+  later[7] = 3;
+  EXPECT_EQ(complaint(later), "saved triangulation: version 3 is unknown, this program reads 2");
 }
 
 TEST(Archive, wrong_numbers_under_a_right_checksum_are_refused) {
@@ -185,22 +203,23 @@ TEST(Archive, wrong_numbers_under_a_right_checksum_are_refused) {
   EXPECT_EQ(with(3, 2), "saved triangulation: the mark of weights 2 is out of range");
   EXPECT_EQ(with(4, 3), "saved triangulation: the affine dimension is out of range");
   EXPECT_EQ(with(6, 0), "saved triangulation: the axes do not ascend");
-  EXPECT_EQ(with(7, 2), "saved triangulation: the affine dimension does not fit the number of points");
+  EXPECT_EQ(with(8, 2), "saved triangulation: the affine dimension does not fit the number of points");
   EXPECT_EQ(with(7, ~std::uint64_t{0} >> 1),
-            "saved triangulation: the number of points 9223372036854775807 is out of range");
-  EXPECT_EQ(with(8, 6), "saved triangulation: the number of duplicates 6 is out of range");
-  EXPECT_EQ(with(9, 1000000), "saved triangulation: an id is out of range");
-  EXPECT_EQ(with(10, std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity())),
+            "saved triangulation: the number of rows 9223372036854775807 is out of range");
+  EXPECT_EQ(with(8, 6), "saved triangulation: the number of points 6 is out of range");
+  EXPECT_EQ(with(9, 6), "saved triangulation: the number of duplicates 6 is out of range");
+  EXPECT_EQ(with(10, 1000000), "saved triangulation: an id is out of range");
+  EXPECT_EQ(with(11, std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity())),
             "saved triangulation: a coordinate or weight is not finite");
-  EXPECT_EQ(with(20, 0), "saved triangulation: a row is named twice");
+  EXPECT_EQ(with(21, 0), "saved triangulation: a site has two rows");
 }
 
 TEST(Archive, a_huge_count_costs_no_memory) {
   auto changed = words(saved(built(uniform(2, 5, 1))));
-  changed[7] = 600'000'000;
+  changed[7] = changed[8] = 600'000'000;
   EXPECT_EQ(complaint(sealed(changed)), "saved triangulation: it is cut off");
-  changed[7] = 5;
-  changed[9] = 1'000'000'000;
+  changed[7] = changed[8] = 5;
+  changed[10] = 1'000'000'000;
   EXPECT_EQ(complaint(sealed(changed)), "saved triangulation: an id is out of range");
 }
 

@@ -11,9 +11,9 @@
 #include "delone/build/build.hpp"
 #include "delone/build/insert.hpp"
 #include "delone/mesh/export.hpp"
-#include "support/ledger.hpp"
 #include "support/expectations.hpp"
 #include "support/families.hpp"
+#include "support/ledger.hpp"
 
 namespace delone {
 namespace {
@@ -172,6 +172,19 @@ TEST(Remove, a_batch_is_as_one_after_the_other) {
       }
     }
   }
+}
+
+TEST(Remove, batches_that_come_and_go_do_not_pile_up) {
+  AnyTriangulation t = built(uniform(2, 300, 1));
+  for (int round = 0; round < 20; ++round) {
+    std::vector<Index> rows = t.present_rows();
+    rows.resize(100);
+    remove(t, rows);
+    insert(t, uniform(2, 100, static_cast<std::uint64_t>(round) + 2).view());
+  }
+  EXPECT_EQ(t.sites().present_count(), 300U);
+  EXPECT_LT(t.sites().size(), 1000U);
+  EXPECT_EQ(t.row_count(), 2300U);
 }
 
 TEST(Remove, rows_that_are_not_there_are_refused) {

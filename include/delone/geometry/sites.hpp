@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <span>
 
+#include "delone/base/assert.hpp"
 #include "delone/base/buffer.hpp"
 #include "delone/base/ids.hpp"
 #include "delone/geometry/points.hpp"
@@ -76,7 +77,10 @@ class Sites {
   Index row(VertexId v) const { return row_of_[raw(v)]; }
   bool is_removed(Index row) const { return vertex_of_[row] == kNone; }
   /// Of a row that is not removed.
-  VertexId vertex(Index row) const { return VertexId{vertex_of_[row]}; }
+  VertexId vertex(Index row) const {
+    DELONE_ASSERT(!is_removed(row), "I9 a removed row has no site");
+    return VertexId{vertex_of_[row]};
+  }
   /// Equal points may trade their rows.
   void swap_rows(VertexId a, VertexId b);
 

@@ -131,7 +131,8 @@ class Inserter {
       }
     }
   }
-  void place_hidden() {
+  /// When memory runs out within a predicate, the lists are given up: the next removal makes them anew.
+  void place_hidden() try {
     CellId near = scratch_->created.front();
     for (const Buffer<VertexId>* sites : {&scratch_->displaced, &scratch_->swallowed}) {
       for (const VertexId v : *sites) {
@@ -140,6 +141,8 @@ class Inserter {
         mesh_->hidden.add(v, near);
       }
     }
+  } catch (...) {
+    mesh_->hidden = {};
   }
 
   /// Vertices whose whole star lay in the cavity have become redundant.

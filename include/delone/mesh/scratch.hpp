@@ -28,6 +28,8 @@ struct Hole {
   Buffer<VertexId> revived;                 ///< those of them that will be vertices
   Buffer<std::array<VertexId, 2>> repeats;  ///< those that will repeat another one, and which
   Buffer<Index> cells;                      ///< per new cell its vertices, then its twins
+  Buffer<Index> star;                       ///< the cells that go, in the same form, if they may come back
+  Buffer<CellId> made;                      ///< and the cells that were made in their place
   Buffer<FacetId> outside;                  ///< per facet of the boundary the facet beyond it
   Buffer<Index> closed;                     ///< per facet of the boundary the new facet on it
   Buffer<Index> open;                       ///< facets on which no new cell stands yet
@@ -36,11 +38,14 @@ struct Hole {
   void clear() {
     for (auto* buffer : {&link, &asked, &revived}) buffer->clear();
     repeats.clear();
-    for (auto* buffer : {&cells, &closed, &open}) buffer->clear();
+    for (auto* buffer : {&cells, &star, &closed, &open}) buffer->clear();
+    made.clear();
   }
   std::size_t memory_bytes() const {
     return (link.capacity() + asked.capacity() + revived.capacity() + 2 * repeats.capacity()) * sizeof(VertexId) +
-           (cells.capacity() + closed.capacity() + open.capacity() + table.capacity()) * sizeof(Index) +
+           (cells.capacity() + star.capacity() + made.capacity() + closed.capacity() + open.capacity() +
+            table.capacity()) *
+               sizeof(Index) +
            outside.capacity() * sizeof(FacetId);
   }
 };

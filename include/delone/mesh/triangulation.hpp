@@ -91,9 +91,9 @@ class AnyTriangulation {
   std::size_t memory_bytes() const;
 
   RowStatus status(Index row) const;
-  /// Coordinates of a row that is not removed, as given.
+  /// Coordinates and weight of a row, as given. @throws InputError when there is no such row, or it was removed
   std::vector<double> point(Index row) const;
-  double weight(Index row) const { return mesh_.sites.weight(mesh_.sites.vertex(row)); }
+  double weight(Index row) const;
   /// All rows that are not removed, ascending.
   std::vector<Index> present_rows() const;
   /// All rows again, as given: row_count() x dimension() coordinates, NaN for removed rows.
@@ -118,6 +118,9 @@ class AnyTriangulation {
 
 /// Coordinates of the vertices of one finite cell: they span the flat of all points. Nothing without points.
 std::vector<double> spanning_points(const AnyTriangulation& t);
+
+/// @throws InputError unless there is such a row and it is not removed
+void require_present(const AnyTriangulation& t, Index row);
 
 /// The same with the dimension in the type.
 template <int D>

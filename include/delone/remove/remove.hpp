@@ -24,7 +24,7 @@ struct RemoveOptions {
 /// vertices again, and the lowest duplicate takes its place. Other rows keep their numbers; this one is never used
 /// again. Where what stays may lie in a flat, all is built anew, since every cell changes.
 /// @throws InputError when there is no such row, or it was removed before; std::bad_alloc. Then `t` is as it was.
-/// Cost: for a vertex with k neighbours that of triangulating them (in the plane k log k at worst, in small stars a few
+/// Cost: for a vertex with k neighbours that of triangulating them (in the plane k log k expected, in small stars a few
 /// tests per new cell); with weights the first removal looks for the cell of each hidden point.
 Removed remove(AnyTriangulation& t, Index row, const RemoveOptions& options = {});
 
