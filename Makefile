@@ -6,7 +6,7 @@
 #   make tsan       all tests under the thread sanitizer
 #   make wide       all tests with 64-bit ids
 #   make fuzz       every fuzz target for FUZZ_SECONDS (60)
-#   make bench      measure against CGAL, Qhull and nanoflann, write bench/RESULTS.md and bench/QUERIES.md
+#   make bench      measure against CGAL, Qhull and nanoflann, write bench/*.md
 #   make coverage   lines that the tests reach, as build-coverage/coverage.txt
 #   make lint       clang-tidy over the sources that changed since BASE (all when BASE is empty)
 #   make format     clang-format over the sources;  make clean removes every build directory

@@ -375,7 +375,8 @@ void report(const Options& o) {
   body += report_devillers(o);
   body += report_large(o, verdicts);
 
-  std::string targets = "## Targets\n\n| what | target | reached | met |\n| --- | --- | --- | --- |\n";
+  std::string targets;
+  if (!verdicts.empty()) targets = "## Targets\n\n| what | target | reached | met |\n| --- | --- | --- | --- |\n";
   for (const Verdict& v : verdicts)
     targets += "| " + v.what + " | " + v.target + " | " + v.reached + " | " + (v.met ? "yes" : "**no**") + " |\n";
   if (disturbed > 0)
