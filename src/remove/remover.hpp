@@ -155,17 +155,30 @@ class Remover {
     star.make_room(1);
     star.push(complex_.facet(start, complex_.slot_of(start, v)));
     std::size_t finite = 0;
-    if constexpr (K == 2) {  // round and round
-      for (std::size_t next = 0;; ++next) {
+    if constexpr (K == 2) {
+      // Round both ways at once: one way waits for memory while the other does, too.
+      Refill back(scratch_->pending);
+      FacetId last = star[0];
+      FacetId first = star[0];
+      const auto step = [&](FacetId f, int way) {
+        const FacetId across = complex_.twin(complex_.cell(f), complex_.turned(complex_.slot(f), way));
+        return complex_.facet(complex_.cell(across), complex_.turned(complex_.slot(across), way));
+      };
+      for (;;) {
         star.make_room(1);
-        const CellId c = complex_.cell(star[next]);
-        const int apex = complex_.slot(star[next]);
-        finite += complex_.is_ghost(c) ? 0 : 1;
-        const FacetId across = complex_.twin(c, complex_.turned(apex, 1));
-        if (complex_.cell(across) == start) break;
-        star.push(complex_.facet(complex_.cell(across), complex_.turned(complex_.slot(across), 1)));
-        fetch(star[next]);
+        back.make_room(1);
+        const FacetId ahead = step(last, 1);
+        const FacetId behind = step(first, 2);
+        fetch(last);
+        fetch(first);
+        if (ahead == first) break;
+        star.push(last = ahead);
+        if (behind == last) break;
+        back.push(first = behind);
       }
+      star.make_room(back.size());
+      while (!back.empty()) star.push(back.pop());
+      for (std::size_t i = 0; i < star.size(); ++i) finite += complex_.is_ghost(complex_.cell(star[i])) ? 0 : 1;
     } else {
       const auto mark = [&](std::size_t i, Scratch::Mark m) { scratch_->marks[raw(complex_.cell(star[i]))] = m; };
       try {
