@@ -2,13 +2,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "delone/base/stopwatch.hpp"
 #include "delone/io/points_file.hpp"
 
 namespace delone::cli {
@@ -75,13 +75,5 @@ void unless_nobody_reads(const std::string& path, Write write) {
     if (path != "-" || !stdout_closed()) throw;
   }
 }
-
-class Stopwatch {
- public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 }  // namespace delone::cli

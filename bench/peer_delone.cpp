@@ -12,9 +12,8 @@ namespace {
 
 bool fits(int, bool) { return true; }
 
-Run run(PointsView points) {
-  const Clock clock;
-  const AnyTriangulation t = build(points);
+/// The run whose clock stops now and that has made `t`.
+Run stopped(const Clock& clock, const AnyTriangulation& t) {
   Run run;
   clock.stop(run);
   run.cells = t.cell_count();
@@ -23,17 +22,20 @@ Run run(PointsView points) {
   return run;
 }
 
+Run run(PointsView points) {
+  const Clock clock;
+  const AnyTriangulation t = build(points);
+  return stopped(clock, t);
+}
+
 /// The points are located by a hierarchy.
 Run run_one_by_one(PointsView points) {
   const Clock clock;
   AnyTriangulation t(points.dimension(), points.weighted());
   Hierarchy locator;
   for (std::size_t row = 0; row < points.size(); ++row) insert(t, points[row], points.weight(row), locator);
-  Run run;
-  clock.stop(run);
-  run.cells = t.cell_count();
-  run.vertices = t.vertex_count();
-  run.bytes = t.memory_bytes() + locator.memory_bytes();
+  Run run = stopped(clock, t);
+  run.bytes += locator.memory_bytes();
   return run;
 }
 
@@ -43,12 +45,7 @@ Run remove_rows(PointsView points) {
   AnyTriangulation t = build(points);
   const Clock clock;
   for (std::size_t row = 0; row < points.size() / Share; ++row) remove(t, static_cast<Index>(row));
-  Run run;
-  clock.stop(run);
-  run.cells = t.cell_count();
-  run.vertices = t.vertex_count();
-  run.bytes = t.memory_bytes();
-  return run;
+  return stopped(clock, t);
 }
 
 }  // namespace

@@ -136,37 +136,34 @@ TEST(Allocation, inserting_a_batch_survives_the_failure_of_each) {
   EXPECT_GT(failures, 1000U);
 }
 
-TEST(Allocation, removing_a_point_survives_the_failure_of_each) {
+/// Changes every row of every family, one after the other, each with every allocation failing once: change(t, row).
+/// @return how many failed
+template <class Change>
+std::size_t fail_for_every_row(const Change& change) {
   std::size_t failures = 0;
   for (int dimension = 1; dimension <= 4; ++dimension) {
     for (const PointSet& points : some_families(dimension)) {
       SCOPED_TRACE(points.name);
       AnyTriangulation t = built(points);
       for (std::size_t row = 0; row < points.size(); ++row) {
-        const auto change = [&](AnyTriangulation& changed) { remove(changed, static_cast<Index>(row)); };
-        failures += fail_every_allocation(t, change);
-        change(t);
+        const auto change_row = [&](AnyTriangulation& changed) { change(changed, static_cast<Index>(row)); };
+        failures += fail_every_allocation(t, change_row);
+        change_row(t);
       }
     }
   }
-  EXPECT_GT(failures, 1000U);
+  return failures;
+}
+
+TEST(Allocation, removing_a_point_survives_the_failure_of_each) {
+  EXPECT_GT(fail_for_every_row([](AnyTriangulation& t, Index row) { remove(t, row); }), 1000U);
 }
 
 TEST(Allocation, moving_a_point_survives_the_failure_of_each) {
-  std::size_t failures = 0;
-  for (int dimension = 1; dimension <= 4; ++dimension) {
-    for (const PointSet& points : some_families(dimension)) {
-      SCOPED_TRACE(points.name);
-      AnyTriangulation t = built(points);
-      for (std::size_t row = 0; row < points.size(); ++row) {
-        const auto to = t.point(static_cast<Index>((row * 7 + 3) % points.size()));
-        const auto change = [&](AnyTriangulation& changed) { move(changed, static_cast<Index>(row), to); };
-        failures += fail_every_allocation(t, change);
-        change(t);
-      }
-    }
-  }
-  EXPECT_GT(failures, 1000U);
+  const auto onto_another = [](AnyTriangulation& t, Index row) {
+    move(t, row, t.point(static_cast<Index>((row * 7 + 3) % t.row_count())));
+  };
+  EXPECT_GT(fail_for_every_row(onto_another), 1000U);
 }
 
 /// A lattice about a heavy point that hides five light ones, so close to the origin that predicates need integers of

@@ -8,7 +8,9 @@ namespace delone {
 
 class Stopwatch {
  public:
-  /// Seconds since the last call.
+  /// Seconds since it was made, or since the last lap.
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - last_).count(); }
+  /// The same, and begins the next lap.
   double lap() {
     const auto now = Clock::now();
     return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
