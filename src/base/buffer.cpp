@@ -16,9 +16,9 @@ void* reallocate_block(void* block, std::size_t count, std::size_t element_size)
   if (moved == nullptr) throw std::bad_alloc();
 #ifdef __linux__
   constexpr std::size_t kHugePage = std::size_t{1} << 21;
-  if (bytes >= 2 * kHugePage) {
-    const auto address = reinterpret_cast<std::uintptr_t>(moved);
-    const std::size_t skip = (kHugePage - address % kHugePage) % kHugePage;
+  const auto address = reinterpret_cast<std::uintptr_t>(moved);
+  const std::size_t skip = (kHugePage - address % kHugePage) % kHugePage;
+  if (bytes >= skip + kHugePage) {
     // Advice only: where it is not taken, pages stay small.
     madvise(static_cast<char*>(moved) + skip, (bytes - skip) / kHugePage * kHugePage, MADV_HUGEPAGE);
   }

@@ -52,7 +52,7 @@ Motion move_vertex(AnyTriangulation& t, Index row, const Position& to, const Lis
   if (move_in_place(mesh, v, to.point, to.weight, on_edit)) return Motion::in_place;
   if (!detach(mesh, v, Return::possible, on_edit)) return rebuild(t, row, to, on_edit);
   try {
-    arrive(mesh, v, to, mesh.scratch.created.front(), on_edit);
+    arrive(mesh, v, to, mesh.scratch.hole.made.front(), on_edit);
     return Motion::reinserted;
   } catch (...) {
     bring_back(mesh, v, on_edit);

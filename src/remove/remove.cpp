@@ -15,9 +15,11 @@ namespace {
 
 Removed remove_row(AnyTriangulation& t, Index row, const Listener& on_edit) {
   Mesh& mesh = t.mesh();
+  const VertexId v = mesh.sites.vertex(row);
+  mesh.sites.prefetch_row(v);
+  mesh.complex.prefetch_cell_at(v);
   Removed removed{t.status(row).status};
   mesh.sites.reserve_empty(1);
-  const VertexId v = mesh.sites.vertex(row);
   if (mesh.duplicates.vertex_of(v) != kGhost) {
     mesh.duplicates.take(v, row);
   } else if (!mesh.duplicates.at(v).empty()) {

@@ -32,7 +32,7 @@ namespace delone {
 template <int K>
 class Remover {
   static constexpr Index kCorners = K + 1;
-  static constexpr std::size_t kStride = 2 * std::size_t{kCorners};
+  static constexpr Index kStride = 2 * kCorners;
   using Cell = typename Kernel<K>::Cell;
 
  public:
@@ -50,8 +50,8 @@ class Remover {
     if (mesh_->hidden.kept()) mesh_->hidden.reserve(mesh_->sites.size(), complex_.slot_count());
     hole_->clear();
     const std::size_t finite = collect_star(v);
-    hole_->closed.resize(scratch_->cavity.size(), kNone);
     if (finite == mesh_->complex.live_count() - mesh_->complex.ghost_count()) return false;
+    look_around();
     collect_hidden();
     find_cells(v, finite);
     make_room();
@@ -63,19 +63,15 @@ class Remover {
   /// Carries out the plan. Cannot fail.
   void carry_out(VertexId v) {
     for (const VertexId h : hole_->asked) mesh_->hidden.remove(h);
-    for (std::size_t b = 0; b < scratch_->cavity.size(); ++b) {
-      const CellId c = complex_.cell(scratch_->cavity[b]);
-      hole_->outside[b] = complex_.twin(scratch_->cavity[b]);
-      scratch_->removed[b] = c;
-    }
-    for (const CellId c : scratch_->removed) complex_.destroy(c);
     complex_.forget(v);
     mesh_->vertex_count += hole_->revived.size();
     --mesh_->vertex_count;
-    fill();
-    if (!hole_->made.empty()) std::ranges::copy(scratch_->created, hole_->made.begin());
+    trade_slots(hole_->gone, hole_->made);
+    put(hole_->made, hole_->cells);
+    for (std::size_t b = 0; b < hole_->gone.size(); ++b)
+      complex_.set_twin(hole_->outside[b], FacetId{hole_->closed[b]});
     settle_asked();
-    mesh_->statistics.cells_created += scratch_->created.size();
+    mesh_->statistics.cells_created += hole_->made.size();
   }
 
   /// Undoes what carry_out() did to v, if the plan was made for it and nothing has changed since. Cannot fail.
@@ -85,40 +81,38 @@ class Remover {
     mesh_->vertex_count -= hole_->revived.size();
     ++mesh_->vertex_count;
     if (!hole_->asked.empty()) mesh_->hidden = {};
-    for (const CellId c : hole_->made) complex_.destroy(c);
-    hole_->cells.swap(hole_->star);
-    scratch_->created.resize(new_count());
-    fill();
-    return {.gone = hole_->revived, .came = {&v, 1}, .removed = hole_->made, .created = scratch_->created};
+    trade_slots(hole_->made, hole_->gone);
+    put(hole_->gone, hole_->star);
+    for (std::size_t b = 0; b < hole_->gone.size(); ++b) {
+      const CellId c = hole_->gone[b];
+      complex_.set_twin(hole_->outside[b], complex_.facet(c, complex_.slot_of(c, v)));
+    }
+    return {.gone = hole_->revived, .came = {&v, 1}, .removed = hole_->made, .created = hole_->gone};
   }
 
-  /// What carry_out() changed; valid until the next change. @param v  what was removed, valid as long as the edit
+  /// What carry_out() changed; valid until the next removal. @param v  what was removed, valid as long as the edit
   Edit edit(const VertexId& v) const {
-    return {.gone = {&v, 1}, .came = hole_->revived, .removed = scratch_->removed, .created = scratch_->created};
+    return {.gone = {&v, 1}, .came = hole_->revived, .removed = hole_->gone, .created = hole_->made};
   }
 
   // --- Moving in place ---
 
-  /// The star of v, if it has no ghost cell and hides no site: into `removed`.
+  /// The star of v, if it has no ghost cell and hides no site.
   bool collect_inner_star(VertexId v) {
     scratch_->reserve_cells(K, complex_.slot_count());
     if (collect_star(v) < scratch_->cavity.size()) return false;
-    scratch_->removed.resize(scratch_->cavity.size());
-    for (std::size_t i = 0; i < scratch_->removed.size(); ++i) {
-      scratch_->removed[i] = complex_.cell(scratch_->cavity[i]);
-      if (mesh_->hidden.first(scratch_->removed[i]) != kGhost) return false;
-    }
-    return true;
+    look_around();
+    return std::ranges::all_of(hole_->gone, [this](CellId c) { return mesh_->hidden.first(c) == kGhost; });
   }
 
   /// Whether the cells of the star, whose vertex has moved, are positive, and regular with their neighbours: they then
   /// fill the same hole, and heights are convex across each facet as they are elsewhere, so everywhere.
   bool star_is_regular() {
-    for (const CellId c : scratch_->removed) {
+    for (const CellId c : hole_->gone) {
       if constexpr (K > 3) scratch_->planes[raw(c) * Scratch::plane_size(K)] = std::numeric_limits<double>::quiet_NaN();
       if (kernel_.orient(complex_.vertices(c)) <= 0) return false;
     }
-    for (const CellId c : scratch_->removed) {
+    for (const CellId c : hole_->gone) {
       for (int i = 0; i <= K; ++i) {
         const FacetId across = complex_.twin(c, i);
         const VertexId w = complex_.vertex(across);
@@ -129,7 +123,7 @@ class Remover {
   }
 
   Edit edit_in_place(const VertexId& v) const {
-    return {.gone = {&v, 1}, .came = {&v, 1}, .removed = scratch_->removed, .created = scratch_->removed};
+    return {.gone = {&v, 1}, .came = {&v, 1}, .removed = hole_->gone, .created = hole_->gone};
   }
 
  private:
@@ -151,15 +145,19 @@ class Remover {
   /// The cells at v, each by its facet opposite v, into scratch.cavity. @return how many are finite
   std::size_t collect_star(VertexId v) {
     Refill star(scratch_->cavity);
+    std::size_t finite = 0;
+    const auto take = [&](Refill<FacetId>& list, FacetId f) {
+      list.push(f);
+      finite += complex_.is_ghost(complex_.cell(f)) ? 0 : 1;
+      return f;
+    };
     const CellId start = complex_.incident_cell(v);
     star.make_room(1);
-    star.push(complex_.facet(start, complex_.slot_of(start, v)));
-    std::size_t finite = 0;
+    FacetId last = take(star, complex_.facet(start, complex_.slot_of(start, v)));
     if constexpr (K == 2) {
       // Round both ways at once: one way waits for memory while the other does, too.
       Refill back(scratch_->pending);
-      FacetId last = star[0];
-      FacetId first = star[0];
+      FacetId first = last;
       const auto step = [&](FacetId f, int way) {
         const FacetId across = complex_.twin(complex_.cell(f), complex_.turned(complex_.slot(f), way));
         return complex_.facet(complex_.cell(across), complex_.turned(complex_.slot(across), way));
@@ -169,16 +167,15 @@ class Remover {
         back.make_room(1);
         const FacetId ahead = step(last, 1);
         const FacetId behind = step(first, 2);
-        fetch(last);
-        fetch(first);
+        fetch(last, 2);
+        fetch(first, 1);
         if (ahead == first) break;
-        star.push(last = ahead);
+        last = take(star, ahead);
         if (behind == last) break;
-        back.push(first = behind);
+        first = take(back, behind);
       }
       star.make_room(back.size());
       while (!back.empty()) star.push(back.pop());
-      for (std::size_t i = 0; i < star.size(); ++i) finite += complex_.is_ghost(complex_.cell(star[i])) ? 0 : 1;
     } else {
       const auto mark = [&](std::size_t i, Scratch::Mark m) { scratch_->marks[raw(complex_.cell(star[i]))] = m; };
       try {
@@ -187,11 +184,10 @@ class Remover {
           star.make_room(K);
           const CellId c = complex_.cell(star[next]);
           const int apex = complex_.slot(star[next]);
-          finite += complex_.is_ghost(c) ? 0 : 1;
           for (int i = 0; i <= K; ++i) {
             const CellId across = complex_.cell(complex_.twin(c, i));
             if (i == apex || scratch_->marks[raw(across)] == Scratch::Mark::conflicting) continue;
-            star.push(complex_.facet(across, complex_.slot_of(across, v)));
+            take(star, complex_.facet(across, complex_.slot_of(across, v)));
             mark(star.size() - 1, Scratch::Mark::conflicting);
           }
         }
@@ -204,20 +200,32 @@ class Remover {
     return finite;
   }
 
-  /// Asks memory for what planning and filling will touch at a facet of the link.
-  void fetch(FacetId inside) const {
+  /// Asks memory for what planning and filling will touch at a facet of the link, and at the end of it that is new.
+  void fetch(FacetId inside, int way) const {
     complex_.prefetch(complex_.cell(complex_.twin(inside)));
     const CellId c = complex_.cell(inside);
-    const VertexId w = complex_.vertex(c, complex_.turned(complex_.slot(inside), 1));
+    const VertexId w = complex_.vertex(c, complex_.turned(complex_.slot(inside), way));
     if (w == kGhost) return;
     __builtin_prefetch(kernel_.at(w));
     complex_.prefetch(w);
   }
 
+  /// Notes the cells that go, and what lies beyond them.
+  void look_around() {
+    const std::size_t count = scratch_->cavity.size();
+    hole_->gone.resize(count);
+    hole_->outside.resize(count);
+    hole_->closed.resize(count);
+    for (std::size_t b = 0; b < count; ++b) {
+      hole_->gone[b] = complex_.cell(scratch_->cavity[b]);
+      hole_->outside[b] = complex_.twin(scratch_->cavity[b]);
+    }
+  }
+
   void collect_hidden() {
     if (!mesh_->hidden.kept()) return;
-    for (const FacetId f : scratch_->cavity) {
-      for (VertexId h = mesh_->hidden.first(complex_.cell(f)); h != kGhost; h = mesh_->hidden.next(h)) {
+    for (const CellId c : hole_->gone) {
+      for (VertexId h = mesh_->hidden.first(c); h != kGhost; h = mesh_->hidden.next(h)) {
         hole_->asked.push_back(h);
       }
     }
@@ -228,8 +236,8 @@ class Remover {
   bool collect_link(VertexId v, std::size_t most) {
     auto& link = hole_->link;
     link.clear();
-    for (const FacetId f : scratch_->cavity) {
-      for (const VertexId w : complex_.vertices(complex_.cell(f))) {
+    for (const CellId c : hole_->gone) {
+      for (const VertexId w : complex_.vertices(c)) {
         if (w == v || w == kGhost) continue;
         if (most <= kWrapped && std::find(link.begin(), link.end(), w) != link.end()) continue;
         if (link.size() == most) return false;
@@ -247,6 +255,7 @@ class Remover {
 
   /// Fills the hole facet by facet with cells whose apex is one of `apices`, or the ghost.
   void wrap(std::span<const VertexId> apices) {
+    std::ranges::fill(hole_->closed, kNone);
     FacetTable<K> facets(hole_->table, 3 * scratch_->cavity.size());
     for (std::size_t b = 0; b < scratch_->cavity.size(); ++b) {
       const Cell cell = complex_.vertices(complex_.cell(scratch_->cavity[b]));
@@ -275,11 +284,11 @@ class Remover {
       return {complex_.vertices(complex_.cell(facet)), complex_.slot(facet)};
     }
     // The other side of a new cell's facet: two vertices trade their places.
-    Cell cell = cell_at(f / kCorners);
-    const auto i = f % kCorners;
-    const auto j = i == 0 ? 1U : 0U;
-    std::swap(cell[i], cell[j]);
-    return {cell, static_cast<int>(j)};
+    Cell cell = cell_at(cell_of(f));
+    const int i = slot_of(f);
+    const int j = i == 0 ? 1 : 0;
+    std::swap(cell[static_cast<std::size_t>(i)], cell[static_cast<std::size_t>(j)]);
+    return {cell, j};
   }
 
   bool choose_apex(Cell& cell, int apex, std::span<const VertexId> apices) {
@@ -307,9 +316,9 @@ class Remover {
 
   /// Adds a new cell and links it to what is known of its neighbours.
   void add(const Cell& cell, FacetTable<K>& facets) {
-    const Index first = new_cell(cell) * kCorners;
+    const Index number = new_cell(cell);
     for (int i = 0; i <= K; ++i) {
-      const Index f = first + static_cast<Index>(i);
+      const Index f = new_facet(number, i);
       Index& known = facets[FacetTable<K>::key(cell, i)];
       if (known == kNone) {
         known = f;
@@ -325,29 +334,40 @@ class Remover {
   // No facet is looked up (figures: bench/DEAD_ENDS.md).
 
   void split_polygon() requires(K == 2) {
-    auto& link = hole_->link;
-    link.clear();
-    for (const FacetId f : scratch_->cavity) {
-      link.push_back(complex_.vertex(complex_.cell(f), complex_.turned(complex_.slot(f), 1)));
+    const std::size_t corners = hole_->gone.size();
+    hole_->link.resize(corners);
+    for (std::size_t b = 0; b < corners; ++b) {
+      const FacetId f = scratch_->cavity[b];
+      hole_->link[b] = complex_.vertex(complex_.cell(f), complex_.turned(complex_.slot(f), 1));
     }
-    // What lies between the corners `first` and `last`, seen from the facet `base`, which is the edge between them.
+    hole_->made.resize(corners - 2);
+    hole_->cells.resize((corners - 2) * kStride);
+    // What lies between the corners `first` and `last`: the edge between them as seen from beyond, and where its twin
+    // is to be noted.
     struct Part {
       std::uint8_t first, last;
-      Index base;
+      FacetId base;
+      Index* twin;
     };
     std::array<Part, kWrapped> parts;
-    std::size_t count = 1;
-    parts[0] = {0, static_cast<std::uint8_t>(link.size() - 1), outside(link.size() - 1)};
-    while (count > 0) {
-      const Part part = parts[--count];
+    std::size_t waiting = 1;
+    parts[0] = {0, static_cast<std::uint8_t>(corners - 1), hole_->outside[corners - 1], &hole_->closed[corners - 1]};
+    Index* ids = hole_->cells.data();
+    for (std::size_t n = 0; waiting > 0; ++n, ids += kStride) {
+      const Part part = parts[--waiting];
+      const CellId c = hole_->made[n] = hole_->gone[n];
       const std::uint8_t apex = polygon_apex(part.first, part.last);
-      const Index f = new_cell(triangle(part.first, apex, part.last)) * kCorners;
-      join(f + 1, part.base);
-      for (const Part side : {Part{part.first, apex, f + 2}, Part{apex, part.last, f}}) {
+      const Cell cell = triangle(part.first, apex, part.last);
+      std::memcpy(ids, cell.data(), sizeof cell);
+      ids[kCorners + 1] = raw(part.base);
+      *part.twin = raw(complex_.facet(c, 1));
+      for (const Part side : {Part{part.first, apex, complex_.facet(c, 2), &ids[kCorners + 2]},
+                              Part{apex, part.last, complex_.facet(c, 0), &ids[kCorners]}}) {
         if (side.last > side.first + 1) {
-          parts[count++] = side;
+          parts[waiting++] = side;
         } else {
-          join(side.base, outside(side.first));
+          *side.twin = raw(hole_->outside[side.first]);
+          hole_->closed[side.first] = raw(side.base);
         }
       }
     }
@@ -358,15 +378,17 @@ class Remover {
   }
 
   /// The corner between two others whose triangle with them is positive and conflicts with no other such corner.
+  ///
+  /// No orientation is asked for. All planes through the edge's two lifted ends are ordered by their slope across it,
+  /// and that of the cell beyond the edge, which nothing is in conflict with, lies between those through corners on the
+  /// inner side, where lower means less, and those on the outer side. So the test, whose sign turns with the
+  /// triangle's, always prefers an inner corner to an outer one, and among inner ones it is the plain one. Ties are no
+  /// exception, since they are broken as if heights differed; a query that is the first of all in their order counts as
+  /// in conflict, which is right for an inner one whatever the triangle.
   std::uint8_t polygon_apex(std::uint8_t first, std::uint8_t last) requires(K == 2) {
     auto apex = static_cast<std::uint8_t>(first + 1);
-    if (last == first + 2) return apex;
-    bool found = false;
-    for (auto i = apex; i < last; ++i) {
-      if (found && !kernel_.conflict(triangle(first, apex, last), hole_->link[i])) continue;
-      if (kernel_.orient(triangle(first, i, last)) <= 0) continue;
-      apex = i;
-      found = true;
+    for (auto i = static_cast<std::uint8_t>(first + 2); i < last; ++i) {
+      if (kernel_.conflict(triangle(first, apex, last), hole_->link[i])) apex = i;
     }
     return apex;
   }
@@ -413,11 +435,11 @@ class Remover {
       const CellId c = complex.cell(f);
       const Index mine = number[raw(c)];
       for (int i = 0; i <= K; ++i) {
-        const Index facet = mine * kCorners + static_cast<Index>(i);
+        const Index facet = new_facet(mine, i);
         const FacetId across = complex.twin(c, i);
         const Index other = number[raw(complex.cell(across))];
         if (other != kNone) {
-          twin(facet) = other * kCorners + static_cast<Index>(complex.slot(across));
+          twin(facet) = raw(complex_.facet(hole_->made[other], complex.slot(across)));
         } else {
           join(facet, facets[FacetTable<K>::key(cell_at(mine), i)]);
         }
@@ -463,7 +485,7 @@ class Remover {
       }
     }
     try {
-      CellId near = scratch_->created.front();
+      CellId near = hole_->made.front();
       for (const VertexId h : hole_->asked) {
         if (complex_.has_vertex(h) || mesh_->duplicates.vertex_of(h) != kGhost) continue;
         WalkStats walked;
@@ -481,29 +503,42 @@ class Remover {
     return x;
   }
 
-  // --- New cells, numbered from 0 on, as the complex holds cells: vertices, then twins ---
-  // A facet is cell * (K + 1) + slot; the outside's facets are counted down from kNone - 1.
+  // --- New cells, numbered from 0 on, and what the complex will hold of them: vertices, then twins ---
+  // A new facet is named by the place where the vertex opposite to it stands; the outside's facets are counted down
+  // from kNone - 1.
 
+  static Index new_facet(Index cell, int slot) { return cell * kStride + static_cast<Index>(slot); }
+  static Index cell_of(Index f) { return f / kStride; }
+  static int slot_of(Index f) { return static_cast<int>(f % kStride); }
   static Index outside(std::size_t b) { return static_cast<Index>(kNone - 1 - b); }
   static std::size_t boundary(Index f) { return kNone - 1 - f; }
-  bool is_outside(Index f) const { return boundary(f) < hole_->closed.size(); }
-  Index new_count() const { return static_cast<Index>(hole_->cells.size() / kStride); }
+  static bool is_outside(Index f) { return f > kNone / 2; }
+
+  /// New cells take the slots of those that go first.
   Index new_cell(const Cell& cell) {
-    const Index number = new_count();
-    Index* const ids = hole_->cells.extend(kStride);
-    for (std::size_t i = 0; i < kCorners; ++i) ids[i] = raw(cell[i]);
+    const auto number = static_cast<Index>(hole_->made.size());
+    if (number < hole_->gone.size()) {
+      hole_->made.push_back(hole_->gone[number]);
+    } else {
+      spare_ = number == hole_->gone.size() ? complex_.upcoming() : complex_.upcoming_after(spare_);
+      hole_->made.push_back(spare_);
+    }
+    std::memcpy(hole_->cells.extend(kStride), cell.data(), sizeof cell);
     return number;
   }
   Cell cell_at(Index number) const {
     Cell cell;
-    std::memcpy(cell.data(), hole_->cells.data() + number * kStride, sizeof cell);
+    std::memcpy(cell.data(), hole_->cells.data() + new_facet(number, 0), sizeof cell);
     return cell;
   }
-  Index& twin(Index f) { return hole_->cells[f / kCorners * kStride + kCorners + f % kCorners]; }
-  bool is_closed(Index f) { return (is_outside(f) ? hole_->closed[boundary(f)] : twin(f)) != kNone; }
+  Index& twin(Index f) { return is_outside(f) ? hole_->closed[boundary(f)] : hole_->cells[f + kCorners]; }
+  bool is_closed(Index f) { return twin(f) != kNone; }
+  FacetId named(Index f) const {
+    return is_outside(f) ? hole_->outside[boundary(f)] : complex_.facet(hole_->made[cell_of(f)], slot_of(f));
+  }
   void join(Index f, Index known) {
-    twin(f) = known;
-    (is_outside(known) ? hole_->closed[boundary(known)] : twin(known)) = f;
+    twin(f) = raw(named(known));
+    twin(known) = raw(named(f));
   }
   static bool has_ghost(const Cell& cell, int but) {
     for (int i = 0; i <= K; ++i) {
@@ -514,60 +549,31 @@ class Remover {
 
   /// Room for all that carry_out() makes.
   void make_room() {
-    const std::size_t count = new_count();
-    const std::size_t more = count - std::min<std::size_t>(count, scratch_->cavity.size());
-    mesh_->complex.reserve_more(more, mesh_->sites.size());
-    scratch_->created.resize(count);
-    scratch_->removed.resize(scratch_->cavity.size());
-    hole_->outside.resize(scratch_->cavity.size());
+    const std::size_t count = hole_->made.size();
+    const std::size_t more = count - std::min(count, hole_->gone.size());
+    if (more > 0) mesh_->complex.reserve_more(more, mesh_->sites.size());
     const std::size_t slots = complex_.slot_count() + more;
     scratch_->reserve_cells(K, slots);
     if (mesh_->hidden.kept()) mesh_->hidden.reserve(mesh_->sites.size(), slots);
   }
 
-  /// The star in the form of new cells, as it is before it goes.
+  /// What the star's cells hold before they go.
   void remember_star() {
-    const std::size_t count = scratch_->cavity.size();
-    std::vector<std::pair<CellId, Index>> numbers;
-    for (std::size_t b = 0; b < count; ++b) {
-      numbers.emplace_back(complex_.cell(scratch_->cavity[b]), static_cast<Index>(b));
-    }
-    std::ranges::sort(numbers);
-    hole_->star.resize(count * kStride);
-    for (std::size_t b = 0; b < count; ++b) {
-      const CellId c = complex_.cell(scratch_->cavity[b]);
-      Index* const ids = hole_->star.data() + b * kStride;
-      for (int i = 0; i <= K; ++i) {
-        ids[i] = raw(complex_.vertex(c, i));
-        const FacetId across = complex_.twin(c, i);
-        const auto other =
-            std::ranges::lower_bound(numbers, complex_.cell(across), {}, &std::pair<CellId, Index>::first);
-        ids[static_cast<Index>(i) + kCorners] =
-            i == complex_.slot(scratch_->cavity[b])
-                ? outside(b)
-                : other->second * kCorners + static_cast<Index>(complex_.slot(across));
-      }
-    }
-    hole_->made.resize(new_count());
-    scratch_->created.reserve(count);
-    scratch_->removed.reserve(new_count());
-    mesh_->complex.reserve_more(std::max<std::size_t>(count, new_count()), mesh_->sites.size());
+    for (const CellId c : hole_->gone) complex_.copy_ids(c, hole_->star.extend(kStride));
   }
 
-  void fill() {
-    auto& created = scratch_->created;
-    for (CellId& c : created) c = complex_.create();
-    for (Index n = 0; n < created.size(); ++n) {
-      const CellId c = created[n];
-      complex_.set_vertices(c, cell_at(n));
-      for (int i = 0; i <= K; ++i) {
-        const Index across = twin(n * kCorners + static_cast<Index>(i));
-        if (is_outside(across)) {
-          complex_.link(complex_.facet(c, i), hole_->outside[boundary(across)]);
-        } else {
-          complex_.set_twin(c, i, complex_.facet(created[across / kCorners], static_cast<int>(across % kCorners)));
-        }
-      }
+  /// Takes slots for `coming` cells, the first of them in the slots of those that go: what is planned, and what undoes
+  /// it.
+  void trade_slots(const Buffer<CellId>& going, const Buffer<CellId>& coming) {
+    for (const CellId c : going) complex_.discount_ghost(c);
+    for (std::size_t n = coming.size(); n < going.size(); ++n) complex_.release(going[n]);
+    for (std::size_t n = going.size(); n < coming.size(); ++n) complex_.create();
+  }
+
+  void put(const Buffer<CellId>& cells, const Buffer<Index>& ids) {
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+      const CellId c = cells[n];
+      complex_.set_ids(c, ids.data() + n * kStride);
       complex_.settle(c);
       complex_.count_ghost(c);
       if constexpr (K > 3) scratch_->planes[raw(c) * Scratch::plane_size(K)] = std::numeric_limits<double>::quiet_NaN();
@@ -579,6 +585,7 @@ class Remover {
   Kernel<K> kernel_;
   Scratch* scratch_;
   Hole* hole_;
+  CellId spare_ = kNoCell;  // the last slot that is planned to be taken beside those of the cells that go
 };
 
 }  // namespace delone

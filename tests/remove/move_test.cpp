@@ -9,9 +9,9 @@
 
 #include "delone/base/errors.hpp"
 #include "delone/build/build.hpp"
-#include "support/ledger.hpp"
 #include "support/expectations.hpp"
 #include "support/families.hpp"
+#include "support/ledger.hpp"
 
 namespace delone {
 namespace {

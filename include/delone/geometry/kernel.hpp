@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -51,12 +52,19 @@ inline constexpr double kLargest = 0x1p99;
 
 inline int sign_beyond(double value, double bound) { return value > bound ? 1 : (value < -bound ? -1 : kUnsure); }
 
+/// 2^exponent; zero where that is no normal number, infinity where it is too large.
+inline double power_of_two(int exponent) {
+  if (exponent < -1022) return 0.0;
+  if (exponent > 1023) return std::numeric_limits<double>::infinity();
+  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+}
+
 /// On coordinates that are integers times 2^unit all terms of a determinant of `degree` factors are integers times
 /// 2^(unit degree): while their sum stays below 2^53 of these, doubles hold every one, and a zero is a zero. So
 /// lattices never leave the filter in 2D and 3D.
 inline double exact_below(int unit, int degree) {
   const int exponent = unit * degree + 53;
-  return exponent > -900 && exponent < 900 ? std::ldexp(1.0, exponent) : 0.0;
+  return exponent > -900 && exponent < 900 ? power_of_two(exponent) : 0.0;
 }
 
 /// The same for the `size` of an estimate: in 2D a bound on the permanent, in 3D the square of S^(3/2) H, of which the
@@ -109,7 +117,7 @@ class Kernel {
         other_count_(sites.dimension() - K),
         plain_(other_count_ == 0 && weights_ == nullptr),
         tame_(range.magnitude < filter::kLargest),
-        short_integers_(range.magnitude < std::ldexp(1.0, range.unit + 120 / (K + 2))),
+        short_integers_(range.magnitude < filter::power_of_two(range.unit + 120 / (K + 2))),
         orient_exact_below_(filter::exact_below(range.unit, K)),
         conflict_exact_below_(filter::conflict_exact_below<K>(range.unit)),
         conflict_bound_(filter::kU * (filter::conflict_roundings(K) + (plain_ ? 0 : 2 * other_count_ + 4))) {}

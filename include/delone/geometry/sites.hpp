@@ -75,6 +75,8 @@ class Sites {
   }
 
   Index row(VertexId v) const { return row_of_[raw(v)]; }
+  /// Asks memory for the name of v, which will change.
+  void prefetch_row(VertexId v) const { __builtin_prefetch(row_of_.data() + raw(v), 1); }
   bool is_removed(Index row) const { return vertex_of_[row] == kNone; }
   /// Of a row that is not removed.
   VertexId vertex(Index row) const {

@@ -19,8 +19,8 @@ struct LocationMethod {
   std::string name;
   Hierarchy locator;
 };
-/// walk, jump and walk, hierarchy, hierarchy with jump and walk on its highest level. @param straight  march as [Dev97] 2.2 on all levels,
-/// else by the visibility walk
+/// walk, jump and walk, hierarchy, hierarchy with jump and walk on its highest level. @param straight  march as
+/// [Dev97] 2.2 on all levels, else by the visibility walk
 std::vector<LocationMethod> location_methods(bool straight);
 
 /// How an entry of the table came about.

@@ -58,8 +58,8 @@ class Hierarchy {
     std::vector<Index> below;  ///< per row: the row on the level below, on level 0 the vertex; kNone when it has left
     std::vector<Index> above;  ///< per row: the row on the level above, kNone when there is none
     std::size_t left = 0;      ///< rows that have left
-    Index newest = kNone;  ///< after rebuilding any row
-    CellId place = kNoCell;  ///< where the last query was found
+    Index newest = kNone;      ///< after rebuilding any row
+    CellId place = kNoCell;    ///< where the last query was found
   };
 
   VertexId descend(const AnyTriangulation& t, std::span<const double> q);

@@ -23,30 +23,30 @@ struct EdgeTable {
 
 /// What a removal plans: the hole, and the cells that will fill it.
 struct Hole {
-  Buffer<VertexId> link;                    ///< finite vertices of the star that goes
+  Buffer<CellId> gone;                      ///< the star, and so the hole
+  Buffer<FacetId> outside;                  ///< per cell of it the facet beyond the one opposite the vertex
+  Buffer<VertexId> link;                    ///< finite vertices of the star
   Buffer<VertexId> asked;                   ///< hidden sites of the star, by ascending row
   Buffer<VertexId> revived;                 ///< those of them that will be vertices
   Buffer<std::array<VertexId, 2>> repeats;  ///< those that will repeat another one, and which
-  Buffer<Index> cells;                      ///< per new cell its vertices, then its twins
-  Buffer<Index> star;                       ///< the cells that go, in the same form, if they may come back
-  Buffer<CellId> made;                      ///< and the cells that were made in their place
-  Buffer<FacetId> outside;                  ///< per facet of the boundary the facet beyond it
-  Buffer<Index> closed;                     ///< per facet of the boundary the new facet on it
+  Buffer<CellId> made;                      ///< the cells that will fill the hole
+  Buffer<Index> cells;                      ///< per cell of these its vertices, then its twins
+  Buffer<Index> closed;                     ///< per facet of `outside` its new twin
+  Buffer<Index> star;                       ///< what the cells that go hold, in the same form, if they may come back
   Buffer<Index> open;                       ///< facets on which no new cell stands yet
   Buffer<Index> table;                      ///< of a FacetTable
 
   void clear() {
     for (auto* buffer : {&link, &asked, &revived}) buffer->clear();
     repeats.clear();
-    for (auto* buffer : {&cells, &star, &closed, &open}) buffer->clear();
     made.clear();
+    for (auto* buffer : {&cells, &star, &open}) buffer->clear();
   }
   std::size_t memory_bytes() const {
-    return (link.capacity() + asked.capacity() + revived.capacity() + 2 * repeats.capacity()) * sizeof(VertexId) +
-           (cells.capacity() + star.capacity() + made.capacity() + closed.capacity() + open.capacity() +
-            table.capacity()) *
-               sizeof(Index) +
-           outside.capacity() * sizeof(FacetId);
+    return (gone.capacity() + made.capacity()) * sizeof(CellId) + outside.capacity() * sizeof(FacetId) +
+           (link.capacity() + asked.capacity() + revived.capacity() + 2 * repeats.capacity()) * sizeof(VertexId) +
+           (cells.capacity() + closed.capacity() + star.capacity() + open.capacity() + table.capacity()) *
+               sizeof(Index);
   }
 };
 

@@ -50,6 +50,11 @@ class Complex {
   /// A live cell that has `v`, or kNoCell when `v` is not in the complex. The ghost has one too.
   CellId incident_cell(VertexId v) const { return v == kGhost ? ghost_cell_ : CellId{incident_[raw(v)]}; }
 
+  /// Asks memory for a cell at v, if there is one.
+  void prefetch_cell_at(VertexId v) const {
+    if (incident_[raw(v)] != kNone) __builtin_prefetch(ids_.data() + incident_[raw(v)] * stride());
+  }
+
   std::size_t memory_bytes() const { return (ids_.capacity() + incident_.capacity()) * sizeof(Index); }
 
   /// Room for `cells` more live cells and vertices below `vertex_slots`; on std::bad_alloc nothing has changed.
@@ -149,14 +154,27 @@ class ComplexView {
     return c;
   }
   void destroy(CellId c) {
+    discount_ghost(c);
+    release(c);
+  }
+  /// The same for a cell that is no longer counted among the ghosts.
+  void release(CellId c) {
     --complex_->live_;
-    complex_->ghosts_ -= is_ghost(c) ? 1 : 0;
     base(c)[0] = Complex::kDead;
     base(c)[1] = complex_->free_;
     complex_->free_ = raw(c);
   }
+  /// What create() will return next; and, if nothing else happens, after it returned `last`, which may still be to
+  /// come.
+  CellId upcoming() const { return or_fresh(complex_->free_); }
+  CellId upcoming_after(CellId last) const {
+    return raw(last) < slot_count() ? or_fresh(base(last)[1]) : CellId{raw(last) + 1};
+  }
   void set_vertex(CellId c, int i, VertexId v) { base(c)[i] = raw(v); }
   void set_vertices(CellId c, const std::array<VertexId, kCorners>& v) { std::memcpy(base(c), v.data(), sizeof v); }
+  /// All ids of a cell at once: its vertices, then its twins.
+  void set_ids(CellId c, const Index* ids) { std::memcpy(base(c), ids, 2 * kCorners * sizeof(Index)); }
+  void copy_ids(CellId c, Index* to) const { std::memcpy(to, base(c), 2 * kCorners * sizeof(Index)); }
   void set_twin(CellId c, int i, FacetId f) { base(c)[kCorners + static_cast<Index>(i)] = raw(f); }
   void set_twin(FacetId f, FacetId g) { complex_->ids_[place(f) + kCorners] = raw(g); }
   void link(FacetId f, FacetId g) {
@@ -170,6 +188,8 @@ class ComplexView {
       ++complex_->ghosts_;
     }
   }
+  /// Undoes the count; the ids of `c` may then be set anew.
+  void discount_ghost(CellId c) { complex_->ghosts_ -= is_ghost(c) ? 1 : 0; }
   void set_incident(VertexId v, CellId c) {
     if (v == kGhost) {
       complex_->ghost_cell_ = c;
@@ -189,6 +209,7 @@ class ComplexView {
  private:
   /// Where the vertex opposite f stands; its twin stands kCorners further.
   static std::size_t place(FacetId f) { return raw(f) + std::size_t{kCorners} * raw(cell(f)); }
+  CellId or_fresh(Index free) const { return free != kNone ? CellId{free} : CellId{static_cast<Index>(slot_count())}; }
   Id* base(CellId c) const { return complex_->ids_.data() + raw(c) * (2 * std::size_t{kCorners}); }
 
   C* complex_;
