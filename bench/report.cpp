@@ -318,7 +318,7 @@ std::string report_removal(const Options& o, std::vector<Verdict>& verdicts) {
       const std::string verb = "-remove-" + std::to_string(share);
       std::vector<Contestant> contestants{{"Delone", o.native, "Delone" + verb, w},
                                           {"CGAL", o.native, "CGAL" + verb, w}};
-      alternate(contestants, o.rounds(3));
+      alternate(contestants, o.rounds(dimension == 2 ? 9 : 3));
       const double removed = static_cast<double>(w.n / share);
       const double ratio = median(contestants[1]) / median(contestants[0]);
       text += "| " + w.title + " | " + number(removed, 0);

@@ -56,7 +56,7 @@ class Remover {
     find_cells(v, finite);
     make_room();
     if (may_return) remember_star();
-    note_repeats();
+    if (!hole_->repeats.empty()) note_repeats();
     return true;
   }
 
@@ -70,7 +70,7 @@ class Remover {
     put(hole_->made, hole_->cells);
     for (std::size_t b = 0; b < hole_->gone.size(); ++b)
       complex_.set_twin(hole_->outside[b], FacetId{hole_->closed[b]});
-    settle_asked();
+    if (!hole_->asked.empty()) settle_asked();
     mesh_->statistics.cells_created += hole_->made.size();
   }
 
@@ -350,26 +350,27 @@ class Remover {
       Index* twin;
     };
     std::array<Part, kWrapped> parts;
-    std::size_t waiting = 1;
-    parts[0] = {0, static_cast<std::uint8_t>(corners - 1), hole_->outside[corners - 1], &hole_->closed[corners - 1]};
+    std::size_t waiting = 0;
+    const auto leave = [&](std::uint8_t first, std::uint8_t last, FacetId base, Index* twin) {
+      if (last > first + 1) {
+        parts[waiting++] = {first, last, base, twin};
+      } else {
+        *twin = raw(hole_->outside[first]);
+        hole_->closed[first] = raw(base);
+      }
+    };
+    leave(0, static_cast<std::uint8_t>(corners - 1), hole_->outside[corners - 1], &hole_->closed[corners - 1]);
     Index* ids = hole_->cells.data();
     for (std::size_t n = 0; waiting > 0; ++n, ids += kStride) {
-      const Part part = parts[--waiting];
+      const auto [first, last, base, twin] = parts[--waiting];
       const CellId c = hole_->made[n] = hole_->gone[n];
-      const std::uint8_t apex = polygon_apex(part.first, part.last);
-      const Cell cell = triangle(part.first, apex, part.last);
+      const std::uint8_t apex = polygon_apex(first, last);
+      const Cell cell = triangle(first, apex, last);
       std::memcpy(ids, cell.data(), sizeof cell);
-      ids[kCorners + 1] = raw(part.base);
-      *part.twin = raw(complex_.facet(c, 1));
-      for (const Part side : {Part{part.first, apex, complex_.facet(c, 2), &ids[kCorners + 2]},
-                              Part{apex, part.last, complex_.facet(c, 0), &ids[kCorners]}}) {
-        if (side.last > side.first + 1) {
-          parts[waiting++] = side;
-        } else {
-          *side.twin = raw(hole_->outside[side.first]);
-          hole_->closed[side.first] = raw(side.base);
-        }
-      }
+      ids[kCorners + 1] = raw(base);
+      *twin = raw(complex_.facet(c, 1));
+      leave(first, apex, complex_.facet(c, 2), &ids[kCorners + 2]);
+      leave(apex, last, complex_.facet(c, 0), &ids[kCorners]);
     }
   }
 
