@@ -364,34 +364,17 @@ class Remover {
     for (std::size_t n = 0; waiting > 0; ++n, ids += kStride) {
       const auto [first, last, base, twin] = parts[--waiting];
       const CellId c = hole_->made[n] = hole_->gone[n];
-      const std::uint8_t apex = polygon_apex(first, last);
-      const Cell cell = triangle(first, apex, last);
+      const VertexId* const link = hole_->link.data();
+      const auto between = static_cast<std::size_t>(last - first - 1);
+      const auto apex = static_cast<std::uint8_t>(
+          first + 1 + kernel_.innermost(link[first], link[last], {link + first + 1, between}));
+      const Cell cell{link[first], link[apex], link[last]};
       std::memcpy(ids, cell.data(), sizeof cell);
       ids[kCorners + 1] = raw(base);
       *twin = raw(complex_.facet(c, 1));
       leave(first, apex, complex_.facet(c, 2), &ids[kCorners + 2]);
       leave(apex, last, complex_.facet(c, 0), &ids[kCorners]);
     }
-  }
-
-  Cell triangle(std::size_t a, std::size_t b, std::size_t c) const requires(K == 2) {
-    return {hole_->link[a], hole_->link[b], hole_->link[c]};
-  }
-
-  /// The corner between two others whose triangle with them is positive and conflicts with no other such corner.
-  ///
-  /// No orientation is asked for. All planes through the edge's two lifted ends are ordered by their slope across it,
-  /// and that of the cell beyond the edge, which nothing is in conflict with, lies between those through corners on the
-  /// inner side, where lower means less, and those on the outer side. So the test, whose sign turns with the
-  /// triangle's, always prefers an inner corner to an outer one, and among inner ones it is the plain one. Ties are no
-  /// exception, since they are broken as if heights differed; a query that is the first of all in their order counts as
-  /// in conflict, which is right for an inner one whatever the triangle.
-  std::uint8_t polygon_apex(std::uint8_t first, std::uint8_t last) requires(K == 2) {
-    auto apex = static_cast<std::uint8_t>(first + 1);
-    for (auto i = static_cast<std::uint8_t>(first + 2); i < last; ++i) {
-      if (kernel_.conflict(triangle(first, apex, last), hole_->link[i])) apex = i;
-    }
-    return apex;
   }
 
   // --- Triangulating the link ---

@@ -385,6 +385,62 @@ TEST(Kernel, a_separating_facet_is_found_exactly_when_the_point_is_outside) {
   expect_separating_facets<4>(5000);
 }
 
+/// Random edges of cells that no other site is in conflict with: of all other sites, on whichever side, the innermost
+/// is the inner one whose cell none of the inner ones is in conflict with. @return how many edges there were
+std::size_t expect_innermost(const std::vector<double>& coordinates, const std::vector<double>& weights,
+                             int dimension) {
+  const Sites sites = sites_of<2>(coordinates, weights, dimension);
+  Kernel<2> kernel(sites);
+  const auto n = static_cast<Index>(sites.size());
+  std::size_t edges = 0;
+  for (Index i = 0; i < n * n * n; ++i) {
+    const Kernel<2>::Cell beyond{VertexId{i % n}, VertexId{i / n % n}, VertexId{i / n / n}};
+    const auto [b, a, c] = beyond;
+    if (a == b || a == c || b == c || kernel.orient(beyond) <= 0) continue;
+    std::vector<VertexId> others;
+    for (Index j = 0; j < n; ++j) {
+      const VertexId v{j};
+      if (v != a && v != b && v != c) others.push_back(v);
+    }
+    if (std::ranges::any_of(others, [&](VertexId v) { return kernel.conflict(beyond, v); })) continue;
+    std::vector<VertexId> inner = others;
+    std::erase_if(inner, [&](VertexId v) { return kernel.orient({a, v, b}) <= 0; });
+    if (inner.empty()) continue;
+    ++edges;
+    const VertexId found = others[kernel.innermost(a, b, others)];
+    EXPECT_NE(std::ranges::find(inner, found), inner.end()) << "an outer one";
+    for (const VertexId v : inner) {
+      EXPECT_TRUE(v == found || !kernel.conflict({a, found, b}, v));
+    }
+  }
+  return edges;
+}
+
+TEST(Kernel, the_innermost_corner_needs_no_orientation) {
+  Random random(31);
+  std::size_t edges = 0;
+  for (int trial = 0; trial < 600; ++trial) {
+    const int dimension = trial % 5 == 4 ? 3 : 2;
+    const double scale = trial % 7 == 0 ? 0x1p400 : (trial % 7 == 1 ? 0x1p-500 : 1.0);
+    const double noise = trial % 3 == 0 ? 0x1p-52 : 0.0;
+    std::vector<std::array<int, 2>> places;
+    while (places.size() < 9) {
+      const std::array<int, 2> place{static_cast<int>((random() % 4)), static_cast<int>((random() % 4))};
+      if (std::ranges::find(places, place) == places.end()) places.push_back(place);
+    }
+    std::vector<double> coordinates;
+    std::vector<double> weights;
+    for (const auto& place : places) {
+      for (const int x : place) coordinates.push_back(scale * (x + noise * static_cast<double>(random() % 3)));
+      if (dimension == 3) coordinates.push_back(coordinates.back());  // in a flat
+      if (trial % 2 == 1) weights.push_back(scale * scale * static_cast<double>(random() % 3));
+    }
+    SCOPED_TRACE(trial);
+    edges += expect_innermost(coordinates, weights, dimension);
+  }
+  EXPECT_GT(edges, 5000U);
+}
+
 TEST(Kernel, lexicographic_order_is_that_of_coordinates) {
   const Sites sites = sites_of<2>({0, 1, 0, 2, 1, 0, 0, 1, -0.0, 1});
   const Kernel<2> kernel(sites);

@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "delone/base/pair.hpp"
 #include "delone/exact/determinant.hpp"
@@ -160,6 +161,10 @@ class Kernel {
     return decide(estimate(plane, cell[0], q), cell, q);
   }
   Hyperplane<K> hyperplane(const Cell& cell) const;
+
+  /// Which of `corners`, 1 to 32 sites on the inner side of edge (a, b) of a triangulation or on its outer side, makes
+  /// with it the cell (a, corner, b) that no other one is in conflict with. At least one is on the inner side.
+  std::size_t innermost(VertexId a, VertexId b, std::span<const VertexId> corners) requires(K == 2);
 
   /// On the leading axes, rounded.
   double squared_distance(VertexId v, const double* q) const {
@@ -534,6 +539,54 @@ template <int K>
   value = -(value + plane.height * lift);
   const double bound = plane.tilt_error * length + plane.height_error * size;
   return {value, std::numeric_limits<double>::infinity(), size > 0x1p-180 && size < 0x1p190 && std::abs(value) > bound};
+}
+
+// Each test is that of conflict() with a as the common vertex, so with its bound; what belongs to one corner is
+// computed once. No orientation is asked for: all planes through the edge's two lifted ends are ordered by their slope
+// across it, and that of the cell beyond the edge, which no corner is in conflict with, lies between those through
+// inner corners and those through outer ones. So the test, whose sign turns with the cell's, always prefers an inner
+// corner to an outer one, and among inner ones it is the plain one. Ties are no exception, since they are broken as if
+// heights differed; a query that is the first of all in their order counts as in conflict, which is right for an inner
+// one whatever the cell.
+template <int K>
+std::size_t Kernel<K>::innermost(VertexId a, VertexId b, std::span<const VertexId> corners) requires(K == 2) {
+  if (corners.size() == 1) return 0;
+  struct Seen {
+    double x, y, lift, side;
+  };
+  double square = 0.0;
+  double height = 0.0;
+  const auto see = [&](VertexId v) {
+    const double x = at(v)[0] - at(a)[0];
+    const double y = at(v)[1] - at(a)[1];
+    const double length = x * x + y * y;
+    const Lift extra = plain_ ? Lift{0.0, 0.0} : extra_lift(v, a);
+    square = std::max(square, length);
+    height = std::max(height, length + extra.size);
+    return Seen{x, y, length + extra.value, 0.0};
+  };
+  const Seen end = see(b);
+  std::array<Seen, 32> seen;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    seen[i] = see(corners[i]);
+    seen[i].side = end.x * seen[i].y - end.y * seen[i].x;
+  }
+  const double bound = tame_ ? conflict_bound_ * (3.0 * (square + 0x1p-900) * height) + 0x1p-1000
+                             : std::numeric_limits<double>::infinity();
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const Seen& p = seen[best];
+    const Seen& q = seen[i];
+    const double value = end.lift * (p.x * q.y - p.y * q.x) - p.lift * q.side + q.lift * p.side;
+    bool lower = value > 0.0;
+    if (!(std::abs(value) > bound)) [[unlikely]] {
+      lower = conflict({a, corners[best], b}, corners[i]);
+    } else {
+      ++stats_.conflict_filter;
+    }
+    best = lower ? i : best;
+  }
+  return best;
 }
 
 template <int K>
