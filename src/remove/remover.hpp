@@ -156,7 +156,7 @@ class Remover {
     FacetId last = take(star, complex_.facet(start, complex_.slot_of(start, v)));
     if constexpr (K == 2) {
       // Round both ways at once: one way waits for memory while the other does, too.
-      Refill back(scratch_->pending);
+      Refill back(scratch_->boundary);
       FacetId first = last;
       const auto step = [&](FacetId f, int way) {
         const FacetId across = complex_.twin(complex_.cell(f), complex_.turned(complex_.slot(f), way));

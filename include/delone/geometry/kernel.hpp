@@ -100,6 +100,16 @@ struct Hyperplane {
   double height_error;  ///< times the size of l: bounds the rounding error of the sum
 };
 
+/// In the plane, a site as another one sees it.
+struct Ray {
+  Pair to;
+  double lift;  ///< how much higher its lifted point lies, but for the plane that touches at the other one
+  double size;  ///< the sum of the sizes of its parts
+
+  /// Twice the area of the triangle with both, positive when `next` follows in turning order.
+  [[gnu::always_inline]] double turn(const Ray& next) const { return to[0] * next.to[1] - to[1] * next.to[0]; }
+};
+
 template <int K>
 class Kernel {
   static constexpr std::size_t kCoordinates = K;
@@ -121,7 +131,8 @@ class Kernel {
         short_integers_(range.magnitude < filter::power_of_two(range.unit + 120 / (K + 2))),
         orient_exact_below_(filter::exact_below(range.unit, K)),
         conflict_exact_below_(filter::conflict_exact_below<K>(range.unit)),
-        conflict_bound_(filter::kU * (filter::conflict_roundings(K) + (plain_ ? 0 : 2 * other_count_ + 4))) {}
+        conflict_bound_(tame_ ? filter::kU * (filter::conflict_roundings(K) + (plain_ ? 0 : 2 * other_count_ + 4))
+                              : std::numeric_limits<double>::infinity()) {}
 
   const double* at(VertexId v) const { return x_ + raw(v) * kCoordinates; }
   Points at(const Cell& cell) const {
@@ -161,6 +172,28 @@ class Kernel {
     return decide(estimate(plane, cell[0], q), cell, q);
   }
   Hyperplane<K> hyperplane(const Cell& cell) const;
+
+  [[gnu::always_inline]] Ray ray(VertexId v, VertexId from) const requires(K == 2) {
+    const Pair to = load_pair(at(v)) - load_pair(at(from));
+    const double square = to[0] * to[0] + to[1] * to[1];
+    if (plain_) [[likely]]
+      return {to, square, square};
+    const Lift extra = extra_lift(v, from);
+    return {to, square + extra.value, square + extra.size};
+  }
+  /// conflict() of a cell whose corners q sees as a, b, c, with their turns; `cell` tells it where that is in doubt.
+  template <class F>
+  [[gnu::always_inline]] bool conflict(const Ray& a, const Ray& b, const Ray& c, double ab, double bc, double ca,
+                                       VertexId q, const F& cell) requires(K == 2) {
+    const double value = a.lift * bc + b.lift * ca + c.lift * ab;
+    if (std::abs(value) > bound_of_rays(std::max(std::max(a.size, b.size), c.size))) [[likely]] {
+      ++stats_.conflict_filter;
+      return value > 0.0;
+    }
+    return conflict_from_coordinates(cell(), q);
+  }
+
+  bool weighted() const { return weights_ != nullptr; }
 
   /// Which of `corners`, 1 to 32 sites on the inner side of edge (a, b) of a triangulation or on its outer side, makes
   /// with it the cell (a, corner, b) that no other one is in conflict with. At least one is on the inner side.
@@ -233,6 +266,11 @@ class Kernel {
     return decide_slowly(e, cell, q);
   }
   [[gnu::noinline]] bool decide_slowly(Estimate e, const Cell& cell, VertexId q);
+  [[gnu::noinline]] bool conflict_from_coordinates(const Cell& cell, VertexId q) { return conflict(cell, q); }
+  /// The error of a lifted determinant of three rays of at most this size.
+  [[gnu::always_inline]] double bound_of_rays(double size) const {
+    return conflict_bound_ * (3.0 * (size + 0x1p-900) * size) + 0x1p-1000;
+  }
   /// q lies exactly on the cell's lifted hyperplane.
   bool tie(const Cell& cell, VertexId q);
 
@@ -251,7 +289,7 @@ class Kernel {
   bool short_integers_;        // coordinates are integers times a power of two, so short that 128 bits do
   double orient_exact_below_;  // determinants whose permanent lies below are computed without any rounding
   double conflict_exact_below_;
-  double conflict_bound_;  // times the permanent: error of the lifted determinant
+  double conflict_bound_;  // times the permanent: error of the lifted determinant; infinite for untame coordinates
   PredicateStats stats_;
 };
 
@@ -551,36 +589,22 @@ template <int K>
 template <int K>
 std::size_t Kernel<K>::innermost(VertexId a, VertexId b, std::span<const VertexId> corners) requires(K == 2) {
   if (corners.size() == 1) return 0;
-  struct Seen {
-    double x, y, lift, side;
-  };
-  double square = 0.0;
-  double height = 0.0;
-  const auto see = [&](VertexId v) {
-    const double x = at(v)[0] - at(a)[0];
-    const double y = at(v)[1] - at(a)[1];
-    const double length = x * x + y * y;
-    const Lift extra = plain_ ? Lift{0.0, 0.0} : extra_lift(v, a);
-    square = std::max(square, length);
-    height = std::max(height, length + extra.size);
-    return Seen{x, y, length + extra.value, 0.0};
-  };
-  const Seen end = see(b);
-  std::array<Seen, 32> seen;
+  const Ray end = ray(b, a);
+  std::array<Ray, 32> rays;
+  std::array<double, 32> sides;
+  double size = end.size;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    seen[i] = see(corners[i]);
-    seen[i].side = end.x * seen[i].y - end.y * seen[i].x;
+    rays[i] = ray(corners[i], a);
+    sides[i] = end.turn(rays[i]);
+    size = std::max(size, rays[i].size);
   }
-  const double bound = tame_ ? conflict_bound_ * (3.0 * (square + 0x1p-900) * height) + 0x1p-1000
-                             : std::numeric_limits<double>::infinity();
+  const double bound = bound_of_rays(size);
   std::size_t best = 0;
   for (std::size_t i = 1; i < corners.size(); ++i) {
-    const Seen& p = seen[best];
-    const Seen& q = seen[i];
-    const double value = end.lift * (p.x * q.y - p.y * q.x) - p.lift * q.side + q.lift * p.side;
+    const double value = end.lift * rays[best].turn(rays[i]) - rays[best].lift * sides[i] + rays[i].lift * sides[best];
     bool lower = value > 0.0;
     if (!(std::abs(value) > bound)) [[unlikely]] {
-      lower = conflict({a, corners[best], b}, corners[i]);
+      lower = conflict_from_coordinates({a, corners[best], b}, corners[i]);
     } else {
       ++stats_.conflict_filter;
     }

@@ -77,6 +77,12 @@ template <int K>
   }
 }
 
+/// Whether a search marks the cells that it finds: where it may come to one again.
+template <int K>
+bool marks_cells(const Kernel<K>& kernel) {
+  return K != 2 || kernel.weighted();
+}
+
 /// Finds all cells in conflict with q, from one of them, into `scratch`. Changes nothing else; on std::bad_alloc every
 /// marked cell is listed. Breadth first: the list is the queue. No branch depends on the outcome of a test, which
 /// nobody can predict.
@@ -108,36 +114,80 @@ void find_cavity(ComplexView<K> complex, Kernel<K>& kernel, VertexId q, CellId s
 }
 
 /// In 2D depth first, the edges of a cell in turning order: this lists the boundary as the cycle that it is (cells are
-/// crossed along a tree, and what is not crossed hangs from the boundary by one vertex).
+/// crossed along a tree, and what is not crossed hangs from the boundary by one vertex). What q sees of a vertex goes
+/// along with the search. Without weights the cavity has no vertex inside, so no cell is reached twice, and none is
+/// marked.
 template <>
 inline void find_cavity(ComplexView<2> complex, Kernel<2>& kernel, VertexId q, CellId start, Scratch& scratch) {
   Refill cavity(scratch.cavity);
-  Refill pending(scratch.pending);
+  Refill fronts(scratch.fronts);
   Refill boundary(scratch.boundary);
   Scratch::Mark* const marks = scratch.marks.data();
+  const bool marking = marks_cells<2>(kernel);
+  // The front before an edge whose ends nobody has seen; before a ghost cell nobody needs to.
+  const auto front_before = [&](FacetId outside) {
+    const CellId c = complex.cell(outside);
+    if (complex.is_ghost(c)) return Front{outside, {}, {}, 0.0};
+    const Ray left = kernel.ray(complex.vertex(c, complex.turned(complex.slot(outside), 1)), q);
+    const Ray right = kernel.ray(complex.vertex(c, complex.turned(complex.slot(outside), 2)), q);
+    return Front{outside, left, right, left.turn(right)};
+  };
   cavity.make_room(1);
   cavity.push(complex.facet(start, 0));
-  marks[raw(start)] = Scratch::Mark::conflicting;
-  pending.make_room(3);
-  for (int i = 2; i >= 0; --i) pending.push(complex.twin(start, i));
-  while (!pending.empty()) {
-    cavity.make_room(1);
-    pending.make_room(2);
-    boundary.make_room(1);
-    const FacetId outside = pending.pop();
-    const CellId c = complex.cell(outside);
-    const int entry = complex.slot(outside);
-    if (marks[raw(c)] == Scratch::Mark::conflicting) continue;
-    if (!in_conflict(complex, kernel, scratch, c, q)) {
-      boundary.push(complex.twin(c, entry));
-      continue;
+  if (marking) marks[raw(start)] = Scratch::Mark::conflicting;
+  fronts.make_room(2);
+  Front front;
+  if (complex.is_ghost(start)) {
+    fronts.push(front_before(complex.twin(start, 2)));
+    fronts.push(front_before(complex.twin(start, 1)));
+    front = front_before(complex.twin(start, 0));
+  } else {
+    const Ray a = kernel.ray(complex.vertex(start, 0), q);
+    const Ray b = kernel.ray(complex.vertex(start, 1), q);
+    const Ray c = kernel.ray(complex.vertex(start, 2), q);
+    fronts.push({complex.twin(start, 2), b, a, b.turn(a)});
+    fronts.push({complex.twin(start, 1), a, c, a.turn(c)});
+    front = {complex.twin(start, 0), c, b, c.turn(b)};
+  }
+  for (;;) {
+    const CellId c = complex.cell(front.outside);
+    const int entry = complex.slot(front.outside);
+    const bool ghost = complex.is_ghost(c);
+    Ray middle{};
+    double left_turn = 0.0;
+    double right_turn = 0.0;
+    bool known = false;
+    bool conflicting = false;
+    if (marking) known = marks[raw(c)] == Scratch::Mark::conflicting;
+    if (known || ghost) [[unlikely]] {
+      conflicting = !known && in_conflict(complex, kernel, scratch, c, q);
+    } else {
+      middle = kernel.ray(complex.vertex(c, entry), q);
+      left_turn = front.left.turn(middle);
+      right_turn = middle.turn(front.right);
+      conflicting = kernel.conflict(middle, front.left, front.right, -left_turn, front.turn, -right_turn, q,
+                                    [&] { return complex.vertices(c); });
     }
-    marks[raw(c)] = Scratch::Mark::conflicting;
-    cavity.push(outside);
-    for (int i = 2; i > 0; --i) {
-      const FacetId ahead = complex.twin(c, complex.turned(entry, i));
-      complex.prefetch(complex.cell(ahead));
-      pending.push(ahead);
+    if (conflicting) {
+      cavity.make_room(1);
+      fronts.make_room(1);
+      cavity.push(front.outside);
+      if (marking) marks[raw(c)] = Scratch::Mark::conflicting;
+      const FacetId beyond_left = complex.twin(c, complex.turned(entry, 2));
+      const FacetId beyond_right = complex.twin(c, complex.turned(entry, 1));
+      complex.prefetch(complex.cell(beyond_left));
+      if (ghost) [[unlikely]] {
+        fronts.push(front_before(beyond_left));
+        front = front_before(beyond_right);
+      } else {
+        fronts.push({beyond_left, front.left, middle, left_turn});
+        front = {beyond_right, middle, front.right, right_turn};
+      }
+    } else {
+      boundary.make_room(1);
+      boundary.push_if(!known, complex.twin(c, entry));
+      if (fronts.empty()) break;
+      front = fronts.pop();
     }
   }
 }

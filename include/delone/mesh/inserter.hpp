@@ -104,6 +104,7 @@ class Inserter {
   }
 
   void clean_marks() {
+    if (!marks_cells(kernel_)) return;
     for (const FacetId f : scratch_->cavity) scratch_->marks[raw(complex_.cell(f))] = Scratch::Mark::none;
   }
 

@@ -8,6 +8,7 @@
 
 #include "delone/base/buffer.hpp"
 #include "delone/base/ids.hpp"
+#include "delone/geometry/kernel.hpp"
 
 namespace delone {
 
@@ -50,13 +51,20 @@ struct Hole {
   }
 };
 
+/// In the plane, an edge that a search has still to cross, seen from beyond, with what the query sees of its ends.
+struct Front {
+  FacetId outside;
+  Ray left, right;
+  double turn;  ///< from left to right
+};
+
 struct Scratch {
   // A type of its own, not a character type: a store of one may change no other number, and the compiler knows.
   enum class Mark : std::uint8_t { none, conflicting };
 
   Buffer<Mark> marks;          ///< per cell slot; all `none` between insertions
   Buffer<FacetId> cavity;      ///< of every cell in conflict a facet: the one that the search entered it by
-  Buffer<FacetId> pending;     ///< facets that a search in depth has still to cross, seen from beyond
+  Buffer<Front> fronts;        ///< of a search in depth
   Buffer<FacetId> boundary;    ///< facets between the cavity and what stays, seen from inside
   Buffer<CellId> created;      ///< the star, in the order of `boundary`
   Buffer<VertexId> swallowed;  ///< vertices whose whole star lay in the cavity, with weights
@@ -86,8 +94,8 @@ struct Scratch {
   }
   std::size_t memory_bytes() const {
     return hole.memory_bytes() + marks.capacity() + edges.number.capacity() * sizeof(std::uint16_t) +
-           planes.capacity() * sizeof(double) +
-           (cavity.capacity() + pending.capacity() + boundary.capacity()) * sizeof(FacetId) +
+           planes.capacity() * sizeof(double) + fronts.capacity() * sizeof(Front) +
+           (cavity.capacity() + boundary.capacity()) * sizeof(FacetId) +
            (swallowed.capacity() + displaced.capacity()) * sizeof(VertexId) +
            (created.capacity() + removed.capacity()) * sizeof(CellId);
   }

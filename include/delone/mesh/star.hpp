@@ -56,21 +56,6 @@ void link_by_turning(ComplexView<K> complex, VertexId q, const Scratch& scratch)
   complex.set_incident(q, scratch.created.front());
 }
 
-/// 2D: the boundary is a cycle, and listed as one.
-inline void link_cycle(ComplexView<2> complex, VertexId q, const Scratch& scratch) {
-  // A cell with the edge from u to w of the boundary meets the next one along q and w, opposite the slot of u.
-  const auto facet = [&](std::size_t b, int after_apex) {
-    return complex.facet(scratch.created[b], complex.turned(complex.slot(scratch.boundary[b]), after_apex));
-  };
-  FacetId last = facet(scratch.created.size() - 1, 1);
-  for (std::size_t b = 0; b < scratch.created.size(); ++b) {
-    complex.link(last, facet(b, 2));
-    last = facet(b, 1);
-    complex.set_incident(complex.vertex(last), scratch.created[b]);
-  }
-  complex.set_incident(q, scratch.created.front());
-}
-
 /// 3D: every edge of the boundary is seen once in each direction; a table over the boundary's vertices, numbered as
 /// they come, holds the facet at each. False when they are too many for the table.
 inline bool link_by_edge_table(ComplexView<3> complex, VertexId q, Scratch& scratch) {
@@ -128,13 +113,44 @@ void fill_cavity(ComplexView<K> complex, VertexId q, Scratch& scratch) {
     complex.link(complex.facet(fresh, complex.slot(inside)), complex.twin(inside));
     if constexpr (K > 3) scratch.planes[raw(fresh) * Scratch::plane_size(K)] = std::numeric_limits<double>::quiet_NaN();
   }
-  if constexpr (K == 2) {
-    star::link_cycle(complex, q, scratch);
-  } else if constexpr (K == 3) {
-    if (!star::link_by_edge_table(complex, q, scratch)) star::link_by_turning(complex, q, scratch);
-  } else {
-    star::link_by_turning(complex, q, scratch);
+  if constexpr (K == 3) {
+    if (star::link_by_edge_table(complex, q, scratch)) return;
   }
+  star::link_by_turning(complex, q, scratch);
+}
+
+/// 2D: the boundary is a cycle, and listed as one. A new cell (q, u, w) meets the next one along q and w.
+template <>
+inline void fill_cavity(ComplexView<2> complex, VertexId q, Scratch& scratch) {
+  const std::size_t count = scratch.boundary.size();
+  for (CellId& fresh : scratch.created) fresh = complex.create();
+  const auto end = [&](FacetId inside, int which) {
+    return complex.vertex(complex.cell(inside), complex.turned(complex.slot(inside), which));
+  };
+  const auto slot_of_q = [](VertexId u) { return u == kGhost ? 1 : 0; };  // the ghost stands last (I4)
+  CellId last = scratch.created[count - 1];
+  int slot_to_next = slot_of_q(end(scratch.boundary[count - 1], 1)) + 1;
+  for (std::size_t b = 0; b < count; ++b) {
+    const FacetId inside = scratch.boundary[b];
+    const CellId fresh = scratch.created[b];
+    const FacetId outside = complex.twin(inside);
+    const VertexId u = end(inside, 1);
+    const VertexId w = end(inside, 2);
+    const int apex = slot_of_q(u);
+    const int slot_to_last = 2 - 2 * apex;
+    complex.set_vertex(fresh, apex, q);
+    complex.set_vertex(fresh, apex + 1, u);
+    complex.set_vertex(fresh, slot_to_last, w);
+    complex.set_twin(fresh, apex, outside);
+    complex.set_twin(outside, complex.facet(fresh, apex));
+    complex.set_twin(fresh, slot_to_last, complex.facet(last, slot_to_next));
+    complex.set_twin(last, slot_to_next, complex.facet(fresh, slot_to_last));
+    complex.count_ghost(fresh);
+    complex.set_incident(w, fresh);
+    last = fresh;
+    slot_to_next = apex + 1;
+  }
+  complex.set_incident(q, scratch.created.front());
 }
 
 }  // namespace delone
