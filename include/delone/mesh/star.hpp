@@ -119,36 +119,32 @@ void fill_cavity(ComplexView<K> complex, VertexId q, Scratch& scratch) {
   star::link_by_turning(complex, q, scratch);
 }
 
-/// 2D: the boundary is a cycle, and listed as one. A new cell (q, u, w) meets the next one along q and w.
+/// 2D: the boundary is a cycle, and listed as one. The new cell at its edge from u to w meets the next one along q and
+/// w.
 template <>
 inline void fill_cavity(ComplexView<2> complex, VertexId q, Scratch& scratch) {
-  const std::size_t count = scratch.boundary.size();
   for (CellId& fresh : scratch.created) fresh = complex.create();
-  const auto end = [&](FacetId inside, int which) {
-    return complex.vertex(complex.cell(inside), complex.turned(complex.slot(inside), which));
-  };
-  const auto slot_of_q = [](VertexId u) { return u == kGhost ? 1 : 0; };  // the ghost stands last (I4)
-  CellId last = scratch.created[count - 1];
-  int slot_to_next = slot_of_q(end(scratch.boundary[count - 1], 1)) + 1;
-  for (std::size_t b = 0; b < count; ++b) {
+  CellId last = scratch.created.end()[-1];
+  int slot_to_next = complex.turned(complex.slot(scratch.boundary.end()[-1]), 1);
+  for (std::size_t b = 0; b < scratch.created.size(); ++b) {
     const FacetId inside = scratch.boundary[b];
     const CellId fresh = scratch.created[b];
+    const CellId old = complex.cell(inside);
     const FacetId outside = complex.twin(inside);
-    const VertexId u = end(inside, 1);
-    const VertexId w = end(inside, 2);
-    const int apex = slot_of_q(u);
-    const int slot_to_last = 2 - 2 * apex;
+    const int apex = complex.slot(inside);
+    const int u = complex.turned(apex, 1);
+    const int w = complex.turned(apex, 2);
     complex.set_vertex(fresh, apex, q);
-    complex.set_vertex(fresh, apex + 1, u);
-    complex.set_vertex(fresh, slot_to_last, w);
+    complex.set_vertex(fresh, u, complex.vertex(old, u));
+    complex.set_vertex(fresh, w, complex.vertex(old, w));
     complex.set_twin(fresh, apex, outside);
     complex.set_twin(outside, complex.facet(fresh, apex));
-    complex.set_twin(fresh, slot_to_last, complex.facet(last, slot_to_next));
-    complex.set_twin(last, slot_to_next, complex.facet(fresh, slot_to_last));
+    complex.set_twin(fresh, w, complex.facet(last, slot_to_next));
+    complex.set_twin(last, slot_to_next, complex.facet(fresh, w));
     complex.count_ghost(fresh);
-    complex.set_incident(w, fresh);
+    complex.set_incident(complex.vertex(fresh, u), fresh);
     last = fresh;
-    slot_to_next = apex + 1;
+    slot_to_next = u;
   }
   complex.set_incident(q, scratch.created.front());
 }
