@@ -425,7 +425,7 @@ TEST(Kernel, the_innermost_corner_needs_no_orientation) {
     const double noise = trial % 3 == 0 ? 0x1p-52 : 0.0;
     std::vector<std::array<int, 2>> places;
     while (places.size() < 9) {
-      const std::array<int, 2> place{static_cast<int>((random() % 4)), static_cast<int>((random() % 4))};
+      const std::array<int, 2> place{static_cast<int>(random() % 4), static_cast<int>(random() % 4)};
       if (std::ranges::find(places, place) == places.end()) places.push_back(place);
     }
     std::vector<double> coordinates;

@@ -173,6 +173,7 @@ class Kernel {
   }
   Hyperplane<K> hyperplane(const Cell& cell) const;
 
+  /// v as `from` sees it.
   [[gnu::always_inline]] Ray ray(VertexId v, VertexId from) const requires(K == 2) {
     const Pair to = load_pair(at(v)) - load_pair(at(from));
     const double square = to[0] * to[0] + to[1] * to[1];
@@ -267,7 +268,7 @@ class Kernel {
   }
   [[gnu::noinline]] bool decide_slowly(Estimate e, const Cell& cell, VertexId q);
   [[gnu::noinline]] bool conflict_from_coordinates(const Cell& cell, VertexId q) { return conflict(cell, q); }
-  /// The error of a lifted determinant of three rays of at most this size.
+  /// The error of a lifted determinant of three rays of at most this size, which stands for S and for S + W.
   [[gnu::always_inline]] double bound_of_rays(double size) const {
     return conflict_bound_ * (3.0 * (size + 0x1p-900) * size) + 0x1p-1000;
   }
