@@ -18,18 +18,20 @@ namespace delone {
 
 inline constexpr std::size_t kChunk = 4096;
 
-/// Calls work(begin, end, chunk) for every chunk of [0, count); the first exception is thrown again here.
+/// Calls work(begin, end, chunk) for every chunk of [0, count), of `size` each; the first exception is thrown again
+/// here.
 /// @param progress  called from this thread between its chunks  @throws Cancelled when it asks to stop
 template <class Work>
-void for_chunks(std::size_t count, int threads, const Work& work, const Progress& progress = {}) {
-  const std::size_t chunks = (count + kChunk - 1) / kChunk;
+void for_chunks(std::size_t count, int threads, const Work& work, const Progress& progress = {},
+                std::size_t size = kChunk) {
+  const std::size_t chunks = (count + size - 1) / size;
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::mutex failure_mutex;
   const auto drain = [&](const Progress* tell) {
     try {
       for (std::size_t chunk = next++; chunk < chunks; chunk = next++) {
-        work(chunk * kChunk, std::min(count, (chunk + 1) * kChunk), chunk);
+        work(chunk * size, std::min(count, (chunk + 1) * size), chunk);
         if (tell == nullptr || !*tell) continue;
         const double done = static_cast<double>(std::min(next.load(), chunks)) / static_cast<double>(chunks);
         if (!(*tell)(done)) throw Cancelled();

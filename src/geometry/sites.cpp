@@ -30,6 +30,11 @@ void NumberRange::include_weight(double weight) {
   unit = std::min(unit, trailing_exponent(weight) >> 1);  // rounded down
 }
 
+void NumberRange::include(const NumberRange& other) {
+  magnitude = std::max(magnitude, other.magnitude);
+  unit = std::min(unit, other.unit);
+}
+
 Sites::Sites(int dimension, bool weighted, Flat flat)
     : dimension_(dimension), weighted_(weighted), flat_(flat), leading_count_(std::max(flat.dimension, 0)) {
   const auto k = static_cast<std::size_t>(leading_count_);
@@ -88,6 +93,22 @@ void Sites::append(PointsView points, std::span<const Index> order, Index first_
       __builtin_prefetch(vertex_of_.data() + first_row + order[i + kAhead], 1);
     }
     append(points[order[i]], points.weight(order[i]), first_row + order[i]);
+  }
+}
+
+void Sites::append(const Sites& other) {
+  DELONE_ASSERT(flat_ == other.flat_ && other.empty_.empty(), "sites of one flat, none of them removed");
+  const auto copy = []<class T>(const Buffer<T>& from, Buffer<T>& to) {
+    if (!from.empty()) std::ranges::copy(from, to.extend(from.size()));
+  };
+  copy(other.leading_, leading_);
+  copy(other.others_, others_);
+  copy(other.weights_, weights_);
+  range_.include(other.range_);
+  if (vertex_of_.size() < other.vertex_of_.size()) grow_rows(other.vertex_of_.size());
+  for (const Index row : other.row_of_) {
+    vertex_of_[row] = static_cast<Index>(row_of_.size());
+    row_of_.push_back(row);
   }
 }
 

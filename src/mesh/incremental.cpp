@@ -9,15 +9,11 @@
 #include "delone/geometry/affine.hpp"
 #include "delone/mesh/inserter.hpp"
 #include "delone/order/brio.hpp"
+#include "mesh/divide_conquer.hpp"
+#include "mesh/halves.hpp"
 
 namespace delone {
 namespace {
-
-constexpr std::size_t kTick = 4096;  // sites between two calls of the caller's progress function
-
-void tell(const Progress& progress, std::size_t done, std::size_t all) {
-  if (progress && !progress(static_cast<double>(done) / static_cast<double>(all))) throw Cancelled();
-}
 
 /// Cells that a uniform set of n points needs, for one reservation up front; beyond dimension 3 too many to promise.
 std::size_t expected_cells(int k, std::size_t n) { return k <= 3 ? (k == 3 ? 7 * n : 2 * n) + 64 : 64; }
@@ -27,7 +23,7 @@ void insert_sites(Mesh& mesh, std::size_t first, const Progress& progress) {
   Inserter<K> inserter(mesh);
   CellId near = mesh.complex.incident_cell(kGhost);
   for (std::size_t i = first; i < mesh.sites.size(); ++i) {
-    if (i % kTick == 0) tell(progress, i - first, mesh.sites.size() - first);
+    tell(progress, i - first, mesh.sites.size() - first);
     inserter.insert(VertexId{static_cast<Index>(i)}, near);
     near = inserter.last_cell();
   }
@@ -62,9 +58,21 @@ void bring_to_front(std::vector<Index>& order, std::span<const Index> rows) {
 Mesh triangulate_points(PointsView points, int threads, const Progress& progress) {
   Stopwatch watch;
   const AffineHull hull = affine_hull(points);
-  Mesh mesh(Sites(points.dimension(), points.weighted(), hull.flat));
   const std::span axes = std::span(hull.flat.axes).first(static_cast<std::size_t>(std::max(hull.flat.dimension, 0)));
+  const bool plane = axes.size() == 2 && !points.weighted();
+  if (!plane) {
+    if (auto mesh = triangulate_in_halves(points, axes, threads, progress)) return std::move(*mesh);
+  }
+  Mesh mesh(Sites(points.dimension(), points.weighted(), hull.flat));
   const std::span basis = std::span(hull.basis).first(points.empty() ? 0 : axes.size() + 1);
+  if (plane) {
+    const CurveCuts cuts = curve_cuts(points, axes, threads);
+    mesh.sites.append(points, cuts.order, 0);
+    mesh.statistics.order_seconds = watch.lap();
+    divide_and_conquer(mesh, {cuts.cut.data(), cuts.cut.size()}, threads, progress);
+    mesh.statistics.insert_seconds = watch.lap();
+    return mesh;
+  }
   std::vector<Index> order = brio_order(points, axes, threads);
   bring_to_front(order, basis);
   mesh.sites.append(points, order, 0);
@@ -74,7 +82,7 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
   return mesh;
 }
 
-Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites) {
+Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites, int threads) {
   const auto d = static_cast<std::size_t>(all.dimension());
   std::vector<double> coordinates(sites.size() * d);
   std::vector<double> weights;
@@ -83,7 +91,7 @@ Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites) {
     all.copy_point(sites[i], std::span(coordinates).subspan(i * d, d));
     if (all.weighted()) weights.push_back(all.weight(sites[i]));
   }
-  return triangulate_points(PointsView(coordinates, all.dimension(), weights), 1, {});
+  return triangulate_points(PointsView(coordinates, all.dimension(), weights), threads, {});
 }
 
 void keep_hidden_sites(Mesh& mesh) {

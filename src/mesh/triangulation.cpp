@@ -17,6 +17,17 @@ PredicateStats& PredicateStats::operator+=(const PredicateStats& other) {
   return *this;
 }
 
+BuildStatistics& BuildStatistics::operator+=(const BuildStatistics& other) {
+  order_seconds += other.order_seconds;
+  insert_seconds += other.insert_seconds;
+  finish_seconds += other.finish_seconds;
+  predicates += other.predicates;
+  walk_steps += other.walk_steps;
+  walk_fallbacks += other.walk_fallbacks;
+  cells_created += other.cells_created;
+  return *this;
+}
+
 AnyTriangulation::AnyTriangulation(int dimension, bool weighted)
     : mesh_(Sites(PointsView({}, dimension).dimension(), weighted)) {}
 

@@ -29,6 +29,11 @@ class KeyedRows {
 
   std::size_t size() const { return words_.size(); }
   int key_bits() const { return 64 - row_bits_; }
+  std::vector<Index> in_order() const {
+    std::vector<Index> order(size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = row(i);
+    return order;
+  }
   Index row(std::size_t i) const { return static_cast<Index>(words_[i] & ((std::uint64_t{1} << row_bits_) - 1)); }
   std::uint64_t key(std::size_t i) const { return words_[i] >> row_bits_; }
   void set_key(std::size_t i, std::uint64_t key) { words_[i] = key << row_bits_ | row(i); }
@@ -103,14 +108,18 @@ void for_chunks(std::size_t begin, std::size_t end, int threads, Work work) {
   work(begin, begin + (end - begin) / chunks);
 }
 
+/// @param cuts  empty, or where to write the depth of the cut before each row (see CurveCuts)
 template <int K>
-void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& rows, int rounds, int threads) {
-  constexpr std::size_t kCrowd = 3;  // up to this many points in one grid cell may stay as they are
+void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& rows, int rounds, int threads,
+                      std::span<std::uint16_t> cuts = {}) {
+  constexpr int kWord = 64;                        // more than a key has bits
+  const std::size_t crowd = cuts.empty() ? 3 : 1;  // up to this many points in one grid cell may stay as they are
   struct Job {
     std::size_t begin, end;
     int rounds;
+    int grids;  // that its points were sorted on before
   };
-  std::vector<Job> jobs{{0, rows.size(), rounds}};
+  std::vector<Job> jobs{{0, rows.size(), rounds, 0}};
   while (!jobs.empty()) {
     const Job job = jobs.back();
     jobs.pop_back();
@@ -130,7 +139,10 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
     rows.sort(job.begin, job.end, bits * K + round_bits);
     for (std::size_t begin = job.begin, end; begin < job.end; begin = end) {
       for (end = begin + 1; end < job.end && rows.key(end) == rows.key(begin);) ++end;
-      if (end - begin > kCrowd && end - begin < job.end - job.begin) jobs.push_back({begin, end, 0});
+      if (end - begin > crowd && end - begin < job.end - job.begin) jobs.push_back({begin, end, 0, job.grids + 1});
+      if (cuts.empty() || end == job.end) continue;
+      const int common = std::countl_zero(rows.key(end) ^ rows.key(end - 1));
+      cuts[end] = static_cast<std::uint16_t>(job.grids * kWord + common);
     }
   }
 }
@@ -141,9 +153,7 @@ std::vector<Index> order_in_rounds(PointsView points, std::span<const int> axes,
     with_dimension<1>(static_cast<int>(axes.size()),
                       [&](auto dimension) { sort_along_curve<dimension>(points, axes, rows, rounds, threads); });
   }
-  std::vector<Index> order(rows.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = rows.row(i);
-  return order;
+  return rows.in_order();
 }
 
 }  // namespace
@@ -156,6 +166,16 @@ std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int 
 
 std::vector<Index> curve_order(PointsView points, std::span<const int> axes, int threads) {
   return order_in_rounds(points, axes, 0, threads);
+}
+
+CurveCuts curve_cuts(PointsView points, std::span<const int> axes, int threads) {
+  KeyedRows rows(points.size());
+  Buffer<std::uint16_t> cuts;
+  cuts.resize(points.size(), CurveCuts::kSamePlace);
+  with_dimension<1>(static_cast<int>(axes.size()), [&](auto dimension) {
+    sort_along_curve<dimension>(points, axes, rows, 0, threads, {cuts.data(), cuts.size()});
+  });
+  return {rows.in_order(), std::move(cuts)};
 }
 
 }  // namespace delone

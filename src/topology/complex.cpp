@@ -1,7 +1,9 @@
 #include "delone/topology/complex.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "base/chunks.hpp"
 #include "delone/base/errors.hpp"
 
 namespace delone {
@@ -15,6 +17,30 @@ void Complex::reserve_more(std::size_t cells, std::size_t vertex_slots) {
     ids_.reserve_more(cells * stride());
   }
   if (vertex_slots > incident_.size()) incident_.reserve_more(vertex_slots - incident_.size());
+}
+
+void Complex::append(const Complex& other, int threads) {
+  DELONE_ASSERT(other.dimension_ == dimension_, "cells of the same kind");
+  reserve_more(other.slot_count(), vertex_slots() + other.vertex_slots());
+  const auto cells = static_cast<Index>(slot_count());
+  const auto facets = cells * static_cast<Index>(corners());
+  const auto vertices = static_cast<Index>(vertex_slots());
+  const auto shifted = [](Index id, Index by) { return id == kNone ? kNone : id + by; };
+  const auto width = static_cast<std::size_t>(corners());
+  Index* const to = ids_.extend(other.ids_.size());
+  for_chunks(other.slot_count(), threads, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin * stride(); i < end * stride(); i += stride()) {
+      for (std::size_t j = 0; j < width; ++j) to[i + j] = shifted(other.ids_[i + j], vertices);
+      for (std::size_t j = width; j < 2 * width; ++j) to[i + j] = other.ids_[i + j] + facets;
+    }
+  });
+  for (Index c = other.free_; c != kNone; c = other.ids_[c * stride() + 1]) {
+    to[c * stride()] = kDead;
+    to[c * stride() + 1] = std::exchange(free_, c + cells);
+  }
+  for (const Index c : other.incident_) incident_.push_back(shifted(c, cells));
+  live_ += other.live_;
+  ghosts_ += other.ghosts_;
 }
 
 void Complex::shrink() {

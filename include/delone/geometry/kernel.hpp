@@ -194,6 +194,29 @@ class Kernel {
     return conflict_from_coordinates(cell(), q);
   }
 
+  /// The same of a cell with corner `seer`, from where the others are seen as a and b, and the query as q.
+  template <class F>
+  [[gnu::always_inline]] bool conflict_seen(const Ray& a, const Ray& b, const Ray& q, double ab, double bq, double aq,
+                                            VertexId query, const F& cell) requires(K == 2) {
+    const double value = b.lift * aq - a.lift * bq - q.lift * ab;
+    if (std::abs(value) > bound_of_rays(std::max(std::max(a.size, b.size), q.size))) [[likely]] {
+      ++stats_.conflict_filter;
+      return value > 0.0;
+    }
+    return conflict_from_coordinates(cell(), query);
+  }
+
+  /// orient() of a cell whose first corner sees the others as a and b, with this turn between them.
+  template <class F>
+  [[gnu::always_inline]] int orient_seen(const Ray& a, const Ray& b, double turn, const F& cell) requires(K == 2) {
+    // Of each product the size is at most half the sum of the squares of its factors.
+    if (std::abs(turn) > 1.6 * filter::kU * (a.size + b.size) + 0x1p-1000) [[likely]] {
+      ++stats_.orient_filter;
+      return turn > 0.0 ? 1 : -1;
+    }
+    return orient(cell());
+  }
+
   bool weighted() const { return weights_ != nullptr; }
 
   /// Which of `corners`, 1 to 32 sites on the inner side of edge (a, b) of a triangulation or on its outer side, makes

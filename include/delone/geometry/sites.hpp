@@ -34,6 +34,7 @@ struct NumberRange {
 
   void include(std::span<const double> coordinates);
   void include_weight(double weight);
+  void include(const NumberRange& other);
 };
 
 class Sites {
@@ -92,6 +93,8 @@ class Sites {
   VertexId append(std::span<const double> point, double weight, Index row);
   /// Appends rows of `points` in the given order, each under its number plus `first_row`; makes room.
   void append(PointsView points, std::span<const Index> order, Index first_row);
+  /// Appends the sites of another table of the same kind, under their own rows, of which none is known here.
+  void append(const Sites& other);
   /// Makes room for rows below `count` to be named.
   void grow_rows(std::size_t count) { vertex_of_.resize(count, kNone); }
   /// Puts a point into an empty slot, or appends it. Requires reserved room.

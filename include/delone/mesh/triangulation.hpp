@@ -42,6 +42,8 @@ struct BuildStatistics {
   std::uint64_t walk_steps = 0;
   std::uint64_t walk_fallbacks = 0;  ///< walks that hit their bound and were answered by looking at every cell
   std::uint64_t cells_created = 0;
+
+  BuildStatistics& operator+=(const BuildStatistics& other);
 };
 
 /// The parts of a triangulation, for the algorithms that grow and change it.

@@ -3,9 +3,11 @@
 // local). Departure: rounds grow eightfold, not twofold, so that seven points of eight lie in one sweep of the curve.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "delone/base/buffer.hpp"
 #include "delone/base/ids.hpp"
 #include "delone/geometry/points.hpp"
 
@@ -19,5 +21,20 @@ std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int 
 
 /// The same without rounds: all rows along one curve. For queries, each of which starts where the last one ended.
 std::vector<Index> curve_order(PointsView points, std::span<const int> axes, int threads = 1);
+
+/// Rows along one curve, and the tree of boxes that it goes through: each box is cut in half by a plane across an axis,
+/// and the curve leaves one half before it enters the other.
+struct CurveCuts {
+  static constexpr std::uint16_t kSamePlace = 0xFFFF;
+
+  std::vector<Index> order;
+  /// Per row the depth of the cut between it and the row before: of the cuts among some rows in a line the least deep
+  /// is the one that all others lie beside. kSamePlace: both stand at one place, so that nothing parts them. That of
+  /// the first row means nothing.
+  Buffer<std::uint16_t> cut;
+};
+
+/// @param axes  as above, at least one
+CurveCuts curve_cuts(PointsView points, std::span<const int> axes, int threads = 1);
 
 }  // namespace delone

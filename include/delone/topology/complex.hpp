@@ -61,6 +61,9 @@ class Complex {
   void reserve_more(std::size_t cells, std::size_t vertex_slots);
   /// Vertices below `count` may be used; new ones are in no cell. Requires reserved room.
   void grow_vertices(std::size_t count) { incident_.resize(count, kNone); }
+  /// The cells of another complex of this dimension beside one's own: its cell c becomes c + slot_count(), its vertex v
+  /// becomes v + vertex_slots(). The two are not linked, and the ghost's incident cell stays.
+  void append(const Complex& other, int threads);
   /// Gives back what growth left over.
   void shrink();
   /// Refills the incident cell of every vertex from the cells.
@@ -152,6 +155,14 @@ class ComplexView {
     const CellId c{static_cast<Index>(slot_count())};
     complex_->ids_.resize(complex_->ids_.size() + 2 * kCorners);
     return c;
+  }
+  /// `count` cells in a row, whose ids are not yet set, in a complex without dead ones; returns the first.
+  CellId create_row(std::size_t count) {
+    DELONE_ASSERT(complex_->free_ == kNone, "no dead cells");
+    const CellId first{static_cast<Index>(slot_count())};
+    complex_->ids_.resize(complex_->ids_.size() + 2 * kCorners * count);
+    complex_->live_ += count;
+    return first;
   }
   void destroy(CellId c) {
     discount_ghost(c);

@@ -1,0 +1,19 @@
+// Delaunay triangulations of the plane by divide and conquer.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "delone/base/progress.hpp"
+#include "delone/mesh/triangulation.hpp"
+
+namespace delone {
+
+/// Triangulates the sites of a mesh of dimension 2 without cells and weights, which stand in the order of a CurveCuts.
+/// @param cut      that of the same
+/// @param threads  how many share the work; the mesh does not depend on it
+/// Cost: O(n log n) for points that a few levels of boxes part evenly, O(n) expected for uniform ones [Dwyer87].
+/// @throws Cancelled when `progress` says so; std::bad_alloc. The mesh is then half-built: callers work on their own.
+void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, int threads, const Progress& progress);
+
+}  // namespace delone

@@ -1,0 +1,292 @@
+// Why it works. Call a cell of one part safe when no site of the other part is in conflict with it. Safe cells are
+// cells of the whole triangulation, ghost cells too. What they leave open is filled by cells that have sites of both
+// parts or whose own part was right about them: all have only sites of cells that are not safe, since at each of their
+// sites some cell gave way. So they are cells of the triangulation of these few sites, the seam: nothing is nearer in
+// it, and heights are perturbed alike. The facets between safe cells and others are facets of the seam, too, so its
+// cells on the other side of them are exactly the filling. The same holds if some safe cells are taken for unsafe ones.
+//
+// Departure from the usual merge of divide and conquer, which knits along the border and is known in the plane only:
+// the seam is triangulated by any method at all.
+#include "mesh/glue.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/both.hpp"
+#include "delone/base/dispatch.hpp"
+#include "delone/mesh/facet_table.hpp"
+#include "delone/mesh/walk.hpp"
+#include "mesh/incremental.hpp"
+
+namespace delone {
+namespace {
+
+/// What is known of all sites of a part.
+template <int K>
+struct Box {
+  std::array<double, K> low, high;  // on the leading axes
+  double heaviest;
+
+  explicit Box(const Sites& sites) {
+    low.fill(std::numeric_limits<double>::infinity());
+    high.fill(-std::numeric_limits<double>::infinity());
+    const double* x = sites.leading();
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      for (std::size_t j = 0; j < K; ++j, ++x) {
+        low[j] = std::min(low[j], *x);
+        high[j] = std::max(high[j], *x);
+      }
+    }
+    heaviest = sites.weighted() ? *std::max_element(sites.weights(), sites.weights() + sites.size()) : 0.0;
+  }
+};
+
+/// The cells of a part that a site in a box beside it may be in conflict with.
+template <int K>
+class Reach {
+ public:
+  Reach(const Mesh& mesh, const Box<K>& box, const NumberRange& range)
+      : sites_(&mesh.sites), complex_(mesh.complex), kernel_(mesh.sites, range), box_(box) {
+    tested_.resize(complex_.slot_count(), false);
+    WalkStats walked;  // the corner of the box lies outside the hull
+    add(walk(complex_, kernel_, box.low.data(), complex_.incident_cell(kGhost), walked));
+    for (std::size_t next = 0; next < cells_.size(); ++next) {  // for all places in the box they hang together
+      for (int i = 0; i <= K; ++i) {
+        const CellId c = complex_.cell(complex_.twin(cells_[next], i));
+        if (!tested_[raw(c)] && reaches(c)) add(c);
+        tested_[raw(c)] = true;
+      }
+    }
+  }
+
+  const std::vector<CellId>& cells() const { return cells_; }
+
+ private:
+  void add(CellId c) {
+    cells_.push_back(c);
+    tested_[raw(c)] = true;
+  }
+  bool reaches(CellId c) {
+    return complex_.is_ghost(c) ? beyond_facet(complex_.vertices(c)) : below_hyperplane(complex_.vertices(c));
+  }
+
+  /// Whether some corner of the box lies beyond the facet of a ghost cell, or on its hyperplane.
+  bool beyond_facet(const typename Kernel<K>::Cell& cell) {
+    for (unsigned corner = 0; corner < 1U << K; ++corner) {
+      std::array<double, K> x;
+      for (std::size_t j = 0; j < K; ++j) x[j] = (corner >> j & 1U) != 0 ? box_.high[j] : box_.low[j];
+      if (kernel_.orient(cell, K, x.data()) >= 0) return true;
+    }
+    return false;
+  }
+
+  /// Whether normal . d + height * l <= 0 for some d in the box, as far as doubles can tell: a sum over the axes, each
+  /// of which has its least value at one place. Coordinates beyond the leading ones only raise l.
+  bool below_hyperplane(const typename Kernel<K>::Cell& cell) const {
+    constexpr double kRoundings = 0x1p-40;  // far more than the sums below round
+    const Hyperplane<K> plane = kernel_.hyperplane(cell);
+    const double height = plane.height - plane.height_error;
+    if (!(height > 0.0)) return true;
+    const double lighter = sites_->weight(cell[0]) - box_.heaviest;
+    double value = lighter * (lighter > 0.0 ? height : plane.height + plane.height_error);
+    double size = std::abs(value);
+    for (std::size_t j = 0; j < K; ++j) {
+      const double low = box_.low[j] - kernel_.at(cell[0])[j];
+      const double high = box_.high[j] - kernel_.at(cell[0])[j];
+      const double least = std::clamp(-plane.normal[j] / (2.0 * height), low, high);
+      const double farthest = std::max(std::abs(low), std::abs(high));
+      value += (plane.normal[j] + height * least) * least - plane.tilt_error * farthest;
+      size += (std::abs(plane.normal[j]) + height * farthest) * farthest;
+    }
+    return !(value > kRoundings * size);
+  }
+
+  const Sites* sites_;
+  ConstComplexView<K> complex_;
+  Kernel<K> kernel_;
+  Box<K> box_;
+  std::vector<bool> tested_;
+  std::vector<CellId> cells_;
+};
+
+/// Two parts side by side in one mesh, and what lies open between them.
+template <int K>
+class Gap {
+ public:
+  /// @param open    the cells that are not safe, as far as is known
+  /// @param second  the first site of the second part
+  Gap(Mesh& mesh, std::vector<CellId> open, VertexId second)
+      : mesh_(&mesh), complex_(mesh.complex), open_(std::move(open)), second_(second) {
+    is_open_.resize(complex_.slot_count(), false);
+    std::vector<bool> listed(mesh.sites.size(), false);
+    for (const CellId c : open_) {
+      is_open_[raw(c)] = true;
+      for (const VertexId v : complex_.vertices(c)) {
+        if (v == kGhost || listed[raw(v)]) continue;
+        listed[raw(v)] = true;
+        border_.push_back(v);
+      }
+    }
+    std::ranges::sort(border_);
+  }
+
+  /// The sites of the open cells, ascending.
+  std::span<const VertexId> border() const { return border_; }
+
+  /// Fills the gap with cells of the seam: the triangulation of the border, whose row i is border()[i].
+  void fill(const Mesh& seam) {
+    Buffer<Index> words;
+    FacetTable<K> rim(words, open_.size());  // of each facet between an open and a safe cell the side of the safe one
+    for (const CellId c : open_) {
+      for (int i = 0; i <= K; ++i) {
+        const FacetId outside = complex_.twin(c, i);
+        if (!is_open_[raw(complex_.cell(outside))]) rim[rim.key(complex_.vertices(c), i)] = raw(outside);
+      }
+    }
+    const ConstComplexView<K> cells(seam.complex);
+    const std::vector<CellId> filling = cells_within(rim, cells, seam.sites);
+
+    mesh_->complex.reserve_more(filling.size(), mesh_->sites.size());
+    mesh_->vertex_count -= border_.size() - seam.vertex_count;
+    for (const VertexId v : border_) complex_.forget(v);
+    for (const CellId c : open_) complex_.destroy(c);
+    std::vector<CellId> made(cells.slot_count(), kNoCell);
+    for (const CellId c : filling) {
+      const CellId m = made[raw(c)] = complex_.create();
+      complex_.set_vertices(m, sites_of(cells.vertices(c), seam.sites));
+      complex_.settle(m);
+      complex_.count_ghost(m);
+    }
+    for (const CellId c : filling) {
+      const CellId m = made[raw(c)];
+      for (int i = 0; i <= K; ++i) {
+        const FacetId twin = cells.twin(c, i);
+        if (const CellId across = made[raw(cells.cell(twin))]; across != kNoCell) {
+          complex_.set_twin(m, i, complex_.facet(across, cells.slot(twin)));
+        } else {
+          complex_.link(complex_.facet(m, i), FacetId{rim[rim.key(complex_.vertices(m), i)]});
+        }
+      }
+    }
+  }
+
+ private:
+  using Cell = typename Kernel<K>::Cell;
+
+  Cell sites_of(Cell cell, const Sites& seam) const {
+    for (VertexId& v : cell) v = v == kGhost ? kGhost : border_[seam.row(v)];
+    return cell;
+  }
+
+  /// The cells of the seam that have sites of both parts, and those that hang together with them inside the rim.
+  std::vector<CellId> cells_within(FacetTable<K>& rim, const ConstComplexView<K>& cells, const Sites& seam) const {
+    std::vector<CellId> found;
+    std::vector<bool> is_found(cells.slot_count(), false);
+    const auto add = [&](CellId c) {
+      is_found[raw(c)] = true;
+      found.push_back(c);
+    };
+    for (std::size_t s = 0; s < cells.slot_count(); ++s) {
+      const CellId c{static_cast<Index>(s)};
+      if (cells.is_live(c) && has_both(sites_of(cells.vertices(c), seam))) add(c);
+    }
+    for (std::size_t next = 0; next < found.size(); ++next) {
+      const Cell cell = sites_of(cells.vertices(found[next]), seam);
+      for (int i = 0; i <= K; ++i) {
+        const CellId across = cells.cell(cells.twin(found[next], i));
+        if (!is_found[raw(across)] && rim[rim.key(cell, i)] == kNone) add(across);
+      }
+    }
+    return found;
+  }
+  bool has_both(const Cell& cell) const {
+    const auto is_first = [this](VertexId v) { return v < second_; };
+    const auto is_second = [this](VertexId v) { return v >= second_ && v != kGhost; };
+    return std::ranges::any_of(cell, is_first) && std::ranges::any_of(cell, is_second);
+  }
+
+  Mesh* mesh_;
+  ComplexView<K> complex_;
+  std::vector<CellId> open_;
+  VertexId second_;
+  std::vector<bool> is_open_;
+  std::vector<VertexId> border_;
+};
+
+/// Of two meshes the cells that the other one's sites may be in conflict with.
+template <int K>
+std::array<std::vector<CellId>, 2> open_cells(const Mesh& a, const Mesh& b, int threads) {
+  NumberRange range = a.sites.range();
+  range.include(b.sites.range());
+  std::array<std::vector<CellId>, 2> open;
+  both(
+      threads, [&] { open[0] = Reach<K>(a, Box<K>(b.sites), range).cells(); },
+      [&] { open[1] = Reach<K>(b, Box<K>(a.sites), range).cells(); });
+  return open;
+}
+
+/// Puts the sites and cells of b behind those of a.
+void put_beside(Mesh& a, const Mesh& b, int threads) {
+  const auto shift = static_cast<Index>(a.sites.size());
+  a.sites.append(b.sites);
+  a.complex.append(b.complex, threads);
+  a.vertex_count += b.vertex_count;
+  a.statistics += b.statistics;
+  for (std::size_t i = 0; i < b.sites.size() && !b.duplicates.empty(); ++i) {
+    const VertexId v{static_cast<Index>(i)};
+    const VertexId repeated = b.duplicates.vertex_of(v);
+    if (repeated != kGhost) a.duplicates.add(VertexId{raw(v) + shift}, VertexId{raw(repeated) + shift}, b.sites.row(v));
+  }
+}
+
+template <int K>
+std::optional<Mesh> glue_parts(Mesh a, const Mesh& b, int threads) {
+  auto [open, open_of_b] = open_cells<K>(a, b, threads);
+  const auto cells = static_cast<Index>(a.complex.slot_count());
+  for (const CellId c : open_of_b) open.push_back(CellId{raw(c) + cells});
+  const VertexId second{static_cast<Index>(a.sites.size())};
+  put_beside(a, b, threads);
+  Gap<K> gap(a, std::move(open), second);
+  if (2 * gap.border().size() > a.sites.size()) return std::nullopt;
+  const Mesh seam = triangulate_sites(a.sites, gap.border(), threads);
+  if (seam.complex.dimension() != K) return std::nullopt;
+  gap.fill(seam);
+  a.statistics += seam.statistics;
+  return a;
+}
+
+template <int K>
+double share_of_border(const Mesh& a, const Mesh& b) {
+  const auto open = open_cells<K>(a, b, 1);
+  std::size_t count = 0;
+  for (const bool second : {false, true}) {
+    const Mesh& mesh = second ? b : a;
+    std::vector<bool> listed(mesh.sites.size(), false);
+    for (const CellId c : open[second ? 1 : 0]) {
+      for (const VertexId v : ConstComplexView<K>(mesh.complex).vertices(c)) {
+        if (v != kGhost) listed[raw(v)] = true;
+      }
+    }
+    count += static_cast<std::size_t>(std::ranges::count(listed, true));
+  }
+  return static_cast<double>(count) / static_cast<double>(a.sites.size() + b.sites.size());
+}
+
+}  // namespace
+
+std::optional<Mesh> glue(Mesh a, const Mesh& b, int threads) {
+  return with_dimension<2>(a.complex.dimension(),
+                           [&](auto dimension) { return glue_parts<dimension>(std::move(a), b, threads); });
+}
+
+double border_share(const Mesh& a, const Mesh& b) {
+  return with_dimension<2>(a.complex.dimension(), [&](auto dimension) { return share_of_border<dimension>(a, b); });
+}
+
+}  // namespace delone
