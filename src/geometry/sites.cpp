@@ -4,7 +4,10 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <mutex>
 #include <utility>
+
+#include "base/chunks.hpp"
 
 namespace delone {
 namespace {
@@ -22,7 +25,10 @@ int trailing_exponent(double x) {
 void NumberRange::include(std::span<const double> coordinates) {
   for (const double x : coordinates) {
     magnitude = std::max(magnitude, std::abs(x));
-    unit = std::min(unit, trailing_exponent(x));
+    // Nearly always the last bit of x, one or not, stands for 2^unit or more.
+    const int last_bit = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7FF) - 1075;
+    if (last_bit < unit) [[unlikely]]
+      unit = std::min(unit, trailing_exponent(x));
   }
 }
 
@@ -65,35 +71,47 @@ void Sites::reserve_more(std::size_t count) {
 
 VertexId Sites::append(std::span<const double> point, double weight, Index row) {
   const VertexId v{static_cast<Index>(size())};
-  const auto k = static_cast<std::size_t>(leading_count_);
-  double* leading = leading_.extend(k);
-  double* others = others_.extend(point.size() - k);
-  for (std::size_t place = 0; place < point.size(); ++place) {
-    const double x = point[static_cast<std::size_t>(axis_at_place_[place])];
-    *(place < k ? leading++ : others++) = x;
-  }
-  range_.include(point);
-  if (weighted_) {
-    weights_.push_back(weight);
-    range_.include_weight(weight);
-  }
+  leading_.extend(static_cast<std::size_t>(leading_count_));
+  others_.extend(point.size() - static_cast<std::size_t>(leading_count_));
+  if (weighted_) weights_.extend(1);
   row_of_.push_back(row);
   if (row >= vertex_of_.size()) grow_rows(row + std::size_t{1});
   vertex_of_[row] = raw(v);
+  move(v, point, weight);
   return v;
 }
 
-void Sites::append(PointsView points, std::span<const Index> order, Index first_row) {
+void Sites::append(PointsView points, std::span<const Index> order, Index first_row, int threads) {
   constexpr std::size_t kAhead = 16;
   reserve_more(order.size());
   grow_rows(first_row + points.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i + kAhead < order.size()) {
-      __builtin_prefetch(points[order[i + kAhead]].data());
-      __builtin_prefetch(vertex_of_.data() + first_row + order[i + kAhead], 1);
+  const std::size_t first = size();
+  const auto k = static_cast<std::size_t>(leading_count_);
+  leading_.extend(order.size() * k);
+  others_.extend(order.size() * (static_cast<std::size_t>(dimension_) - k));
+  if (weighted_) weights_.extend(order.size());
+  row_of_.extend(order.size());
+  std::mutex mutex;
+  for_chunks(order.size(), threads, [&](std::size_t begin, std::size_t end, std::size_t) {
+    NumberRange range;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i + kAhead < order.size()) {
+        __builtin_prefetch(points[order[i + kAhead]].data());
+        __builtin_prefetch(vertex_of_.data() + first_row + order[i + kAhead], 1);
+      }
+      const VertexId v{static_cast<Index>(first + i)};
+      const Index row = first_row + order[i];
+      row_of_[raw(v)] = row;
+      vertex_of_[row] = raw(v);
+      place(v, points[order[i]]);
+      range.include(points[order[i]]);
+      if (!weighted_) continue;
+      weights_[raw(v)] = points.weight(order[i]);
+      range.include_weight(points.weight(order[i]));
     }
-    append(points[order[i]], points.weight(order[i]), first_row + order[i]);
-  }
+    const std::lock_guard lock(mutex);
+    range_.include(range);
+  });
 }
 
 void Sites::append(const Sites& other) {
@@ -145,12 +163,22 @@ void Sites::rename_rows(std::span<const Index> names, std::size_t count) {
   vertex_of_.swap(renamed);
 }
 
-void Sites::move(VertexId v, std::span<const double> point, double weight) {
+void Sites::place(VertexId v, std::span<const double> point) {
   const auto k = static_cast<std::size_t>(leading_count_);
+  double* const leading = leading_.data() + raw(v) * k;
+  if (k == point.size()) {
+    for (std::size_t place = 0; place < k; ++place) leading[place] = point[place];
+    return;
+  }
+  double* const others = others_.data() + raw(v) * (point.size() - k);
   for (std::size_t place = 0; place < point.size(); ++place) {
     const double x = point[static_cast<std::size_t>(axis_at_place_[place])];
-    (place < k ? leading_[raw(v) * k + place] : others_[raw(v) * (point.size() - k) + place - k]) = x;
+    (place < k ? leading[place] : others[place - k]) = x;
   }
+}
+
+void Sites::move(VertexId v, std::span<const double> point, double weight) {
+  place(v, point);
   range_.include(point);
   if (!weighted_) return;
   weights_[raw(v)] = weight;

@@ -93,8 +93,11 @@ class Knitter {
     VertexId end;
     bool alone;  ///< `end` is the whole part: there is no ghost cell
     Half open;   ///< of that ghost cell the facet opposite the candidate
+    Half inner;  ///< the facet below the ghost, from the other side
     VertexId candidate = kGhost;
-    Ray ray{};          ///< the candidate as the left end sees it
+    VertexId beyond = kGhost;  ///< the corner that would be the candidate if the edge to this one went
+    Ray candidate_ray{};       ///< as the left end sees it
+    Ray beyond_ray{};
     double turn = 0.0;  ///< from the right end to the candidate
   };
 
@@ -131,8 +134,8 @@ class Knitter {
   void knit(VertexId left_start, VertexId right_start) {
     const FacetId left_hull = hull_[raw(left_start)];
     const FacetId right_hull = hull_[raw(right_start)];
-    Bank<true> left{left_start, left_hull == kNoFacet, Half(left_hull)};
-    Bank<false> right{right_start, right_hull == kNoFacet, Half(right_hull)};
+    Bank<true> left{left_start, left_hull == kNoFacet, Half(left_hull), Half(left_hull)};
+    Bank<false> right{right_start, right_hull == kNoFacet, Half(right_hull), Half(right_hull)};
     if (!right.alone) right.open = Half(twin(right.open));
     while (descend(left, left.end, right.end) || descend(right, left.end, right.end)) {
     }
@@ -143,16 +146,23 @@ class Knitter {
     close(right, {bottom, 1});
     hull_[raw(left.end)] = View::facet(bottom, 0);
     Half base(bottom, 2);
+    look(left);
+    look(right);
+    see(left, left.end);
+    see(right, left.end);
     for (;;) {
       base_ = kernel_.ray(right.end, left.end);
       const bool left_on = choose(left, left.end, right.end);
       const bool right_on = choose(right, left.end, right.end);
       if (!left_on && !right_on) break;
-      if (left_on && !(right_on && inside(left.end, right.end, left, right.candidate, right.ray, right.turn))) {
+      if (left_on &&
+          !(right_on && inside(left.end, right.end, left, right.candidate, right.candidate_ray, right.turn))) {
         base = attach(left, right.end, base);
+        see(left, left.end);
       } else {
         base = attach(right, left.end, base);
       }
+      see(right, left.end);
     }
     const CellId top{raw(spare_) + 1};
     complex_.set_vertices(top, {left.end, right.end, kGhost});
@@ -186,43 +196,59 @@ class Knitter {
     }
   }
 
-  /// Finds the candidate of a bank: the corner of the cell on the base that no vertex of its side is in conflict with.
-  /// Edges in its way are deleted. False when nothing of this side is above the base.
+  /// Finds the two vertices of a bank that may come next.
+  template <bool Left>
+  void look(Bank<Left>& bank) {
+    if (bank.alone) return;
+    bank.candidate = vertex(bank.open);
+    bank.inner = Half(twin(bank.open.turned(Bank<Left>::kGhostEnd)));
+    bank.beyond = vertex(bank.inner);
+  }
+  /// How the left end sees them.
+  template <bool Left>
+  void see(Bank<Left>& bank, VertexId left) {
+    if (bank.alone) return;
+    bank.candidate_ray = kernel_.ray(bank.candidate, left);
+    if (bank.beyond != kGhost) bank.beyond_ray = kernel_.ray(bank.beyond, left);
+  }
+
+  /// Makes the candidate of a bank the corner of the cell on the base that no vertex of its side is in conflict with:
+  /// edges in its way are deleted. False when nothing of this side is above the base.
   template <bool Left>
   bool choose(Bank<Left>& bank, VertexId left, VertexId right) {
     constexpr int kEnd = Bank<Left>::kEnd;
     constexpr int kGhostEnd = Bank<Left>::kGhostEnd;
     if (bank.alone) return false;
-    bank.candidate = vertex(bank.open);
-    bank.ray = kernel_.ray(bank.candidate, left);
-    bank.turn = base_.turn(bank.ray);
-    if (kernel_.orient_seen(base_, bank.ray, bank.turn, [&] { return Triangle{left, right, bank.candidate}; }) <= 0)
+    bank.turn = base_.turn(bank.candidate_ray);
+    if (kernel_.orient_seen(base_, bank.candidate_ray, bank.turn, [&] {
+          return Triangle{left, right, bank.candidate};
+        }) <= 0)
       return false;
-    for (;;) {
-      const Half inner(twin(bank.open.turned(kGhostEnd)));
-      const VertexId next = vertex(inner);
-      if (next == kGhost) return true;
-      const Ray ray = kernel_.ray(next, left);
-      const double turn = base_.turn(ray);
-      if (!inside(left, right, bank, next, ray, turn)) return true;
+    while (bank.beyond != kGhost) {
+      const double turn = base_.turn(bank.beyond_ray);
+      if (!inside(left, right, bank, bank.beyond, bank.beyond_ray, turn)) return true;
       // The edge between end and candidate goes; the cell behind it becomes the ghost cell on its upper edge.
-      const Half lower(twin(inner.turned(kGhostEnd)));
-      link(inner, Half(twin(bank.open.turned(kEnd))));
-      link(bank.open.turned(kEnd), inner.turned(kGhostEnd));
+      const Half lower(twin(bank.inner.turned(kGhostEnd)));
+      link(bank.inner, Half(twin(bank.open.turned(kEnd))));
+      link(bank.open.turned(kEnd), bank.inner.turned(kGhostEnd));
       link(bank.open.turned(kGhostEnd), lower);
-      complex_.set_vertex(inner.cell, inner.turned(kEnd).slot, kGhost);
-      complex_.set_vertex(bank.open.cell, bank.open.slot, next);
+      complex_.set_vertex(bank.inner.cell, bank.inner.turned(kEnd).slot, kGhost);
+      complex_.set_vertex(bank.open.cell, bank.open.slot, bank.beyond);
       cells_made_ += 2;
-      bank.candidate = next;
-      bank.ray = ray;
+      bank.candidate = bank.beyond;
+      bank.candidate_ray = bank.beyond_ray;
       bank.turn = turn;
+      bank.inner = lower;
+      bank.beyond = vertex(lower);
+      if (bank.beyond != kGhost) bank.beyond_ray = kernel_.ray(bank.beyond, left);
     }
+    return true;
   }
 
   /// Whether q lies in the circle through the ends and the candidate of a bank.
   template <bool Left>
   bool inside(VertexId left, VertexId right, const Bank<Left>& bank, VertexId q, const Ray& ray, double turn) {
-    return kernel_.conflict_seen(base_, bank.ray, ray, bank.turn, bank.ray.turn(ray), turn, q, [&] {
+    return kernel_.conflict_seen(base_, bank.candidate_ray, ray, bank.turn, bank.candidate_ray.turn(ray), turn, q, [&] {
       return Triangle{left, right, bank.candidate};
     });
   }
@@ -236,6 +262,7 @@ class Knitter {
     link(bank.open, base);
     bank.end = bank.candidate;
     bank.open = above;
+    look(bank);
     ++cells_made_;
     return next_base;
   }
@@ -332,7 +359,8 @@ void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, int thre
   mesh.vertex_count = set_duplicates_aside(mesh, cut);
   mesh.complex.reserve_more(2 * mesh.vertex_count - 2, n);
   mesh.complex.grow_vertices(n);
-  ComplexView<2>(mesh.complex).create_row(2 * mesh.vertex_count - 2);
+  ComplexView<2> complex(mesh.complex);
+  complex.create_row(2 * mesh.vertex_count - 2);
   Buffer<FacetId> hull;
   hull.resize(n, kNoFacet);
 
@@ -359,7 +387,7 @@ void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, int thre
   knitter.settle_hull(mender.finish().left);
   knitter.add_to(counts.front());
   for (const BuildStatistics& count : counts) mesh.statistics += count;
-  mesh.complex.rebuild_incidence();
+  for (std::size_t s = 0; s < complex.slot_count(); ++s) complex.settle(CellId{static_cast<Index>(s)});
 }
 
 }  // namespace delone

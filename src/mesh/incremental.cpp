@@ -67,7 +67,7 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
   const std::span basis = std::span(hull.basis).first(points.empty() ? 0 : axes.size() + 1);
   if (plane) {
     const CurveCuts cuts = curve_cuts(points, axes, threads);
-    mesh.sites.append(points, cuts.order, 0);
+    mesh.sites.append(points, cuts.order, 0, threads);
     mesh.statistics.order_seconds = watch.lap();
     divide_and_conquer(mesh, {cuts.cut.data(), cuts.cut.size()}, threads, progress);
     mesh.statistics.insert_seconds = watch.lap();
@@ -75,7 +75,7 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
   }
   std::vector<Index> order = brio_order(points, axes, threads);
   bring_to_front(order, basis);
-  mesh.sites.append(points, order, 0);
+  mesh.sites.append(points, order, 0, threads);
   mesh.statistics.order_seconds = watch.lap();
   insert_all(mesh, progress);
   mesh.statistics.insert_seconds = watch.lap();

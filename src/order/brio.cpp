@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <thread>
 #include <utility>
 
+#include "base/chunks.hpp"
 #include "delone/base/assert.hpp"
 #include "delone/base/buffer.hpp"
 #include "delone/base/dispatch.hpp"
@@ -38,26 +38,54 @@ class KeyedRows {
   std::uint64_t key(std::size_t i) const { return words_[i] >> row_bits_; }
   void set_key(std::size_t i, std::uint64_t key) { words_[i] = key << row_bits_ | row(i); }
 
-  /// Sorts [begin, end) by the low `bits` bits of the key, which is all of it, 11 at a time, least significant first.
-  void sort(std::size_t begin, std::size_t end, int bits) {
+  /// Sorts [begin, end) by the low `bits` bits of the key, which is all that they differ by: first by as many of these
+  /// as tell most of the words apart, then what is still alike by the others.
+  void sort(std::size_t begin, std::size_t end, int bits, int threads) {
     constexpr std::size_t kFew = 512;
     if (end - begin < kFew) return std::sort(words_.begin() + begin, words_.begin() + end);
+    const int first = std::min(bits, static_cast<int>(std::bit_width(end - begin)) + 2);
+    const int shift = row_bits_ + bits - first;
+    sort_by_bits(begin, end, shift, first, threads);
+    if (first == bits) return;
+    for (std::size_t alike = begin; begin < end; begin = alike) {
+      while (alike < end && words_[alike] >> shift == words_[begin] >> shift) ++alike;
+      if (alike - begin > 1) sort(begin, alike, bits - first, threads);
+    }
+  }
+
+ private:
+  /// The same by `bits` bits from `shift` on, at most 11 at a time, least significant first.
+  void sort_by_bits(std::size_t begin, std::size_t end, int shift, int bits, int threads) {
+    constexpr std::size_t kShare = 1 << 16;  // of one thread, at least
     constexpr int kDigit = 11;
-    constexpr std::uint64_t kMask = (1U << kDigit) - 1;
-    std::span<std::uint64_t> from = std::span(words_.data(), words_.size()).subspan(begin, end - begin);
-    std::span<std::uint64_t> to = std::span(scratch_.data(), scratch_.size()).subspan(begin, end - begin);
-    for (int shift = row_bits_; shift < row_bits_ + bits; shift += kDigit) {
-      std::array<std::size_t, kMask + 1> start{};
-      for (const std::uint64_t word : from) ++start[word >> shift & kMask];
+    const int rounds = (bits + kDigit - 1) / kDigit;
+    const int width = (bits + rounds - 1) / rounds;
+    const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
+    const std::size_t count = end - begin;
+    const std::size_t share = std::max(kShare, count / static_cast<std::size_t>(std::max(threads, 1)) + 1);
+    std::vector<std::array<std::size_t, 1 << kDigit>> start((count + share - 1) / share);
+    std::span<std::uint64_t> from = std::span(words_.data(), words_.size()).subspan(begin, count);
+    std::span<std::uint64_t> to = std::span(scratch_.data(), scratch_.size()).subspan(begin, count);
+    for (int round = 0; round < rounds; ++round, shift += width) {
+      const auto digit = [shift, mask](std::uint64_t word) { return word >> shift & mask; };
+      const auto count_digits = [&](std::size_t first, std::size_t last, std::size_t part) {
+        start[part].fill(0);
+        for (std::size_t i = first; i < last; ++i) ++start[part][digit(from[i])];
+      };
+      const auto move_words = [&](std::size_t first, std::size_t last, std::size_t part) {
+        for (std::size_t i = first; i < last; ++i) to[start[part][digit(from[i])]++] = from[i];
+      };
+      for_chunks(count, threads, count_digits, {}, share);
       std::size_t sum = 0;
-      for (std::size_t& s : start) sum += std::exchange(s, sum);
-      for (const std::uint64_t word : from) to[start[word >> shift & kMask]++] = word;
+      for (std::size_t d = 0; d <= mask; ++d) {
+        for (auto& part : start) sum += std::exchange(part[d], sum);
+      }
+      for_chunks(count, threads, move_words, {}, share);
       std::swap(from, to);
     }
     if (from.data() != words_.data() + begin) std::ranges::copy(from, to.begin());
   }
 
- private:
   int row_bits_;
   Buffer<std::uint64_t> words_, scratch_;
 };
@@ -94,20 +122,6 @@ struct Cube {
   }
 };
 
-/// Calls work(begin, end) for parts of a range, each on a thread of its own when the range is long.
-template <class Work>
-void for_chunks(std::size_t begin, std::size_t end, int threads, Work work) {
-  constexpr std::size_t kLong = 1 << 16;
-  const std::size_t chunks =
-      std::clamp<std::size_t>((end - begin) / kLong, 1, static_cast<std::size_t>(std::max(threads, 1)));
-  std::vector<std::jthread> helpers;
-  helpers.reserve(chunks - 1);
-  for (std::size_t c = 1; c < chunks; ++c) {
-    helpers.emplace_back(work, begin + (end - begin) * c / chunks, begin + (end - begin) * (c + 1) / chunks);
-  }
-  work(begin, begin + (end - begin) / chunks);
-}
-
 /// @param cuts  empty, or where to write the depth of the cut before each row (see CurveCuts)
 template <int K>
 void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& rows, int rounds, int threads,
@@ -128,15 +142,15 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
     const int round_bits = static_cast<int>(std::bit_width(static_cast<unsigned>(job.rounds)));
     const int bits = std::clamp((rows.key_bits() - round_bits) / K, 1, 31);
     DELONE_ASSERT(bits * K + round_bits <= rows.key_bits(), "a key fits beside its row");
-    for_chunks(job.begin, job.end, threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
+    for_chunks(job.end - job.begin, threads, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t i = job.begin + begin; i < job.begin + end; ++i) {
         const Index row = rows.row(i);
         const int early = job.rounds == 0 ? 0 : std::min(job.rounds, std::countr_zero(mix(row)) / 3);
         const std::uint64_t distance = cube.distance(points[row], axes, bits);
         rows.set_key(i, static_cast<std::uint64_t>(job.rounds - early) << (bits * K) | distance);
       }
     });
-    rows.sort(job.begin, job.end, bits * K + round_bits);
+    rows.sort(job.begin, job.end, bits * K + round_bits, threads);
     for (std::size_t begin = job.begin, end; begin < job.end; begin = end) {
       for (end = begin + 1; end < job.end && rows.key(end) == rows.key(begin);) ++end;
       if (end - begin > crowd && end - begin < job.end - job.begin) jobs.push_back({begin, end, 0, job.grids + 1});

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -108,6 +109,48 @@ TEST(CurveOrder, is_a_permutation_and_visits_near_points_one_after_the_other) {
     const auto b = lattice.view()[order[i]];
     EXPECT_EQ(std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]), 1.0);
   }
+}
+
+/// Whether each cut parts what lies before it from what lies behind, on some axis, down to single places.
+bool parts_everything(PointsView points, const CurveCuts& cuts, std::size_t begin, std::size_t end) {
+  if (end - begin < 2) return true;
+  std::size_t middle = begin + 1;
+  for (std::size_t i = begin + 1; i < end; ++i) middle = cuts.cut[i] < cuts.cut[middle] ? i : middle;
+  const auto coordinate = [&](std::size_t i, std::size_t axis) { return points[cuts.order[i]][axis]; };
+  bool parted = false;
+  bool one_place = true;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(points.dimension()); ++axis) {
+    std::array<std::array<double, 2>, 2> range;  // of each side the lowest and the highest
+    for (auto& side : range) side = {std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+    for (std::size_t i = begin; i < end; ++i) {
+      auto& [low, high] = range[i < middle ? 0 : 1];
+      low = std::min(low, coordinate(i, axis));
+      high = std::max(high, coordinate(i, axis));
+    }
+    parted |= range[0][1] < range[1][0] || range[1][1] < range[0][0];
+    one_place &= range[0] == range[1] && range[0][0] == range[0][1];
+  }
+  if (cuts.cut[middle] == CurveCuts::kSamePlace) return one_place;
+  return parted && parts_everything(points, cuts, begin, middle) && parts_everything(points, cuts, middle, end);
+}
+
+TEST(CurveCuts, each_parts_the_rows_around_it_across_an_axis) {
+  for (int dimension = 1; dimension <= 4; ++dimension) {
+    for (const PointSet& points : unweighted_families(dimension, 700, 1)) {
+      const CurveCuts cuts = curve_cuts(points.view(), all_axes(dimension));
+      EXPECT_TRUE(is_permutation_of_rows(cuts.order, points.size())) << points.name;
+      EXPECT_TRUE(parts_everything(points.view(), cuts, 0, points.size())) << points.name;
+    }
+  }
+}
+
+TEST(CurveCuts, threads_do_not_show) {
+  const PointSet points = lattice(2, 300000, 1000, 1);
+  const CurveCuts one = curve_cuts(points.view(), all_axes(2), 1);
+  const CurveCuts many = curve_cuts(points.view(), all_axes(2), 3);
+  EXPECT_EQ(one.order, many.order);
+  EXPECT_TRUE(std::ranges::equal(std::ranges::subrange(one.cut.begin() + 1, one.cut.end()),
+                                 std::ranges::subrange(many.cut.begin() + 1, many.cut.end())));
 }
 
 }  // namespace

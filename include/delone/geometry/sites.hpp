@@ -92,7 +92,7 @@ class Sites {
   /// Appends row `row` of the input; rows are appended in any order, each once. Requires reserved room.
   VertexId append(std::span<const double> point, double weight, Index row);
   /// Appends rows of `points` in the given order, each under its number plus `first_row`; makes room.
-  void append(PointsView points, std::span<const Index> order, Index first_row);
+  void append(PointsView points, std::span<const Index> order, Index first_row, int threads = 1);
   /// Appends the sites of another table of the same kind, under their own rows, of which none is known here.
   void append(const Sites& other);
   /// Makes room for rows below `count` to be named.
@@ -120,6 +120,9 @@ class Sites {
   }
 
  private:
+  /// Writes the coordinates of v.
+  void place(VertexId v, std::span<const double> point);
+
   int dimension_;
   bool weighted_;
   Flat flat_;

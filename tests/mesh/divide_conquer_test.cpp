@@ -1,0 +1,96 @@
+#include "mesh/divide_conquer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "delone/base/errors.hpp"
+#include "delone/build/build.hpp"
+#include "delone/mesh/export.hpp"
+#include "support/expectations.hpp"
+#include "support/families.hpp"
+
+namespace delone {
+namespace {
+
+using namespace test;
+
+/// The same points by the incremental method, which takes weights, here all alike.
+std::uint64_t incremental_hash(const PointSet& points) {
+  return canonical_hash(build(PointsView(points.coordinates, 2, std::vector<double>(points.size(), 1.0))));
+}
+
+void expect_incremental(const PointSet& points) {
+  const AnyTriangulation t = built(points);
+  EXPECT_EQ(broken_invariant(t), "") << points;
+  EXPECT_EQ(canonical_hash(t), incremental_hash(points)) << points;
+}
+
+TEST(DivideConquer, agrees_with_the_incremental_method_on_every_family) {
+  for (std::size_t n = 3; n < 60; ++n) {
+    for (const PointSet& points : unweighted_families(2, n, n)) expect_incremental(points);
+  }
+  for (const PointSet& points : unweighted_families(2, 3000, 1)) expect_incremental(points);
+}
+
+TEST(DivideConquer, agrees_on_points_that_crowd_deeper_and_deeper) {
+  Random random(3);
+  for (int round = 0; round < 50; ++round) {
+    PointSet points{"crowd", 2, {}, {}};
+    for (int i = 0; i < 400; ++i) points.coordinates.push_back(std::ldexp(unit_random(random) - 0.5, -i * (round % 5)));
+    expect_incremental(points);
+  }
+}
+
+TEST(DivideConquer, agrees_on_two_lines_across_which_every_edge_of_a_part_goes) {
+  PointSet points{"two lines", 2, {}, {}};
+  for (int i = 0; i < 300; ++i) {
+    points.coordinates.insert(points.coordinates.end(), {0.0, i * 1.0});
+    points.coordinates.insert(points.coordinates.end(), {0.01, i + 0.5});
+  }
+  expect_incremental(points);
+}
+
+TEST(DivideConquer, cells_do_not_depend_on_the_number_of_threads) {
+  for (const PointSet& points : {uniform(2, 60000, 1), lattice(2, 60000, 250, 2), circle_of_24_bits(2, 40000, 3)}) {
+    const AnyTriangulation one = build(points.view(), {.threads = 1});
+    const AnyTriangulation many = build(points.view(), {.threads = 3});
+    ASSERT_EQ(one.complex().slot_count(), many.complex().slot_count());
+    bool same = true;
+    for (std::size_t s = 0; s < one.complex().slot_count(); ++s) {
+      const CellId c{static_cast<Index>(s)};
+      for (int i = 0; i < 3; ++i) {
+        same &= one.complex().vertex(c, i) == many.complex().vertex(c, i);
+        same &= one.complex().twin(c, i) == many.complex().twin(c, i);
+      }
+    }
+    EXPECT_TRUE(same) << points.name;
+    EXPECT_EQ(broken_invariant(many), "") << points.name;
+    EXPECT_EQ(description(one), description(many)) << points.name;
+  }
+}
+
+TEST(DivideConquer, of_equal_points_the_first_row_is_the_vertex) {
+  const AnyTriangulation t = built({"twice", 2, {5, 5, 0, 0, 9, 0, 5, 5, 0, 9, 0, 0, 5, 5}, {}});
+  EXPECT_EQ(t.vertex_count(), 4U);
+  EXPECT_EQ(t.status(0), (RowStatus{Status::vertex, 0}));
+  EXPECT_EQ(t.status(3), (RowStatus{Status::duplicate, 0}));
+  EXPECT_EQ(t.status(5), (RowStatus{Status::duplicate, 1}));
+  EXPECT_EQ(t.status(6), (RowStatus{Status::duplicate, 0}));
+}
+
+TEST(DivideConquer, two_cells_a_vertex_and_none_dead) {
+  const AnyTriangulation t = built(uniform(2, 5000, 1));
+  EXPECT_EQ(t.complex().slot_count(), 2 * 5000U - 2);
+  EXPECT_EQ(t.complex().live_count(), 2 * 5000U - 2);
+  EXPECT_LT(t.statistics().cells_created, 9U * 5000U);
+}
+
+TEST(DivideConquer, a_caller_may_cancel) {
+  const PointSet points = uniform(2, 50000, 1);
+  EXPECT_THROW(build(points.view(), {.progress = [](double done) { return done < 0.5; }}), Cancelled);
+}
+
+}  // namespace
+}  // namespace delone
