@@ -55,7 +55,7 @@ Run write_vtu(PointsView points) {
   table.coordinates = {points.coordinates().begin(), points.coordinates().end()};
   const AnyTriangulation t = build(points);
   const Clock clock;
-  const CellTable cell_table = cells(t);
+  const CellTable cell_table = cells(t, false);
   io::write_mesh(path, io::MeshFormat::vtu, {.points = table, .cells = cell_table, .elevation = ""});
   Run run;
   clock.stop(run);
