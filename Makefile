@@ -7,6 +7,7 @@
 #   make wide       all tests with 64-bit ids
 #   make fuzz       every fuzz target for FUZZ_SECONDS (60)
 #   make bench      measure against CGAL, Qhull and nanoflann, write bench/*.md
+#   make bench-worker   what `delone bench peers` runs: Delone, CGAL and Qhull in one program, tuned for this machine
 #   make coverage   lines that the tests reach, as build-coverage/coverage.txt
 #   make lint       clang-tidy over the sources that changed since BASE (all when BASE is empty)
 #   make format     clang-format over the sources;  make clean removes every build directory
@@ -17,7 +18,7 @@ BASE ?= origin/main
 
 build = cmake --preset $(1) --log-level=WARNING && cmake --build --preset $(1) -j $(JOBS) $(if $(2),--target $(2))
 
-.PHONY: all demo test sanitize tsan wide fuzz bench coverage lint format clean
+.PHONY: all demo test sanitize tsan wide fuzz bench bench-worker coverage lint format clean
 all:
 	@scripts/setup build
 	@$(call build,release,delone_app)
@@ -56,6 +57,10 @@ bench:
 	@$(call build,bench)
 	@$(call build,bench-portable)
 	@scripts/bench
+
+bench-worker:
+	@scripts/setup build bench
+	@$(call build,bench,bench_worker)
 
 coverage:
 	@scripts/setup build test tools

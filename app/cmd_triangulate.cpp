@@ -53,7 +53,8 @@ void require_elevation(const io::PointTable& points, const std::string& name) {
 }
 
 /// Builds, fills the summary, and lets the triangulation go before files are written: they need its memory.
-Exported triangulate(const io::PointTable& points, const Options& options, Summary& summary) {
+Exported triangulate(const io::PointTable& points, const std::vector<Output>& outputs, const Options& options,
+                     Summary& summary) {
   const DeferInterrupt defer;
   ProgressBar bar("triangulating");
   BuildOptions how;
@@ -64,8 +65,8 @@ Exported triangulate(const io::PointTable& points, const Options& options, Summa
 
   Exported result;
   const Stopwatch exporting;
-  if (options.check || !options.outputs.empty()) result.cells = cells(triangulation);
-  if (!options.outputs.empty()) result.row_status = status_words(triangulation);
+  if (options.check || !outputs.empty()) result.cells = cells(triangulation, want_neighbours(outputs));
+  if (!outputs.empty()) result.row_status = status_words(triangulation);
   if (options.merged) {
     result.merged = merged_cells(triangulation);
     summary.merged_cells = result.merged.size();
@@ -125,7 +126,7 @@ int run(const Options& options) {
   if (options.merged) require_merged(outputs, points.dimension);
   require_elevation(points, options.elevation);
 
-  const Exported exported = triangulate(points, options, summary);
+  const Exported exported = triangulate(points, outputs, options, summary);
   if (options.check) {
     const Stopwatch checking;
     CheckOptions how;

@@ -148,6 +148,14 @@ void require_merged(const std::vector<Output>& outputs, int dimension) {
   }
 }
 
+bool want_neighbours(const std::vector<Output>& outputs) {
+  using enum io::MeshFormat;
+  return std::ranges::any_of(outputs, [](const Output& output) {
+    return output.format == node_ele || output.format == obj || output.format == off || output.format == svg ||
+           output.format == png;
+  });
+}
+
 std::vector<Written> write_meshes(const std::vector<Output>& outputs, const io::MeshView& mesh) {
   std::vector<Written> all;
   for (const Output& output : outputs) {

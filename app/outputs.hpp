@@ -31,6 +31,9 @@ void require_dimension(const std::vector<Output>& outputs, int dimension);
 /// @throws UsageError when a format cannot hold merged cells of points of this dimension
 void require_merged(const std::vector<Output>& outputs, int dimension);
 
+/// Does a format among these show neighbours, or what they tell: the surface of tetrahedra, edges seen once?
+bool want_neighbours(const std::vector<Output>& outputs);
+
 /// Writes every output. @throws Cancelled between two of them
 std::vector<Written> write_meshes(const std::vector<Output>& outputs, const io::MeshView& mesh);
 

@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "bench/cache_misses.hpp"
 #include "delone/geometry/points.hpp"
 
 namespace delone::bench {
@@ -21,6 +23,17 @@ struct Run {
   std::size_t cells = 0;     ///< finite ones
   std::size_t vertices = 0;  ///< 0 where the library does not say
   std::size_t bytes = 0;     ///< that the finished triangulation holds, its coordinates included
+  std::map<std::string, double> counts;  ///< by name: what the library says of its work, and cache misses
+
+  Run& operator+=(const Run& other) {
+    seconds += other.seconds;
+    processor += other.processor;
+    cells += other.cells;
+    vertices += other.vertices;
+    bytes += other.bytes;
+    for (const auto& [name, count] : other.counts) counts[name] += count;
+    return *this;
+  }
 };
 
 struct Peer {
@@ -32,6 +45,7 @@ struct Peer {
 
 // One translation unit per library.
 std::vector<Peer> delone_peers();
+std::vector<Peer> file_peers();
 std::vector<Peer> cgal_2d_peers();
 std::vector<Peer> cgal_3d_peers();
 std::vector<Peer> cgal_d_peers();
@@ -39,9 +53,15 @@ std::vector<Peer> qhull_peers();
 
 class Clock {
  public:
+  Clock() {
+    CacheMisses::here().start();
+    processor_start_ = processor_now();
+    start_ = std::chrono::steady_clock::now();
+  }
   void stop(Run& run) const {
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     run.processor = processor_now() - processor_start_;
+    if (const auto misses = CacheMisses::here().count()) run.counts["cache_misses"] = static_cast<double>(*misses);
   }
 
  private:
@@ -51,8 +71,8 @@ class Clock {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
   }
 
-  double processor_start_ = processor_now();
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double processor_start_;
+  std::chrono::steady_clock::time_point start_;
 };
 
 /// Bytes that the program holds from malloc, mapped blocks included.

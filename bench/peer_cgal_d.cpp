@@ -29,12 +29,15 @@ Run run_dimension(PointsView view) {
       });
 }
 
-Run run(PointsView view) { return view.dimension() == 4 ? run_dimension<4>(view) : run_dimension<5>(view); }
+Run run(PointsView view) {
+  if (view.dimension() == 4) return run_dimension<4>(view);
+  return view.dimension() == 5 ? run_dimension<5>(view) : run_dimension<6>(view);
+}
 
 }  // namespace
 
 std::vector<Peer> cgal_d_peers() {
-  return {{"CGAL", CGAL_VERSION_STR, [](int d, bool weighted) { return (d == 4 || d == 5) && !weighted; }, run}};
+  return {{"CGAL", CGAL_VERSION_STR, [](int d, bool weighted) { return d >= 4 && d <= 6 && !weighted; }, run}};
 }
 
 }  // namespace delone::bench

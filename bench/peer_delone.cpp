@@ -1,4 +1,5 @@
-// Delone itself: with the options that a user gets by default, and with points inserted one by one in the given order.
+// Delone itself: with the options that a user gets by default, with two threads, and with points inserted one by one in
+// the given order.
 #include <memory>
 
 #include "bench/peer.hpp"
@@ -19,12 +20,26 @@ Run stopped(const Clock& clock, const AnyTriangulation& t) {
   run.cells = t.cell_count();
   run.vertices = t.vertex_count();
   run.bytes = t.memory_bytes();
+  const BuildStatistics& statistics = t.statistics();
+  const PredicateStats& tests = statistics.predicates;
+  const auto count = [&](const char* name, auto number) { run.counts[name] = static_cast<double>(number); };
+  count("order_seconds", statistics.order_seconds);
+  count("insert_seconds", statistics.insert_seconds);
+  count("orient_filter", tests.orient_filter);
+  count("orient_exact", tests.orient_exact);
+  count("conflict_filter", tests.conflict_filter);
+  count("conflict_adaptive", tests.conflict_adaptive);
+  count("conflict_exact", tests.conflict_exact);
+  count("conflict_symbolic", tests.conflict_symbolic);
+  count("walk_steps", statistics.walk_steps);
+  count("cells_created", statistics.cells_created);
   return run;
 }
 
+template <int Threads>
 Run run(PointsView points) {
   const Clock clock;
-  const AnyTriangulation t = build(points);
+  const AnyTriangulation t = build(points, {.threads = Threads});
   return stopped(clock, t);
 }
 
@@ -51,7 +66,8 @@ Run remove_rows(PointsView points) {
 }  // namespace
 
 std::vector<Peer> delone_peers() {
-  return {{"Delone", DELONE_VERSION, fits, run},
+  return {{"Delone", DELONE_VERSION, fits, run<1>},
+          {"Delone-threads-2", DELONE_VERSION, fits, run<2>},
           {"Delone-hierarchy", DELONE_VERSION, fits, run_one_by_one},
           {"Delone-remove-10", DELONE_VERSION, fits, remove_rows<10>},
           {"Delone-remove-20", DELONE_VERSION, fits, remove_rows<20>}};

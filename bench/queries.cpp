@@ -70,7 +70,7 @@ struct Task {
 
 std::string microseconds(const std::vector<double>& seconds, std::size_t queries) {
   if (seconds.empty()) return "";
-  const auto s = bench::spread(seconds);
+  const auto s = lab::spread(seconds);
   const double scale = 1e6 / static_cast<double>(queries);
   return number(s.median * scale, 2) + " (" + number(s.least * scale, 2) + "-" + number(s.most * scale, 2) + ")";
 }
@@ -141,8 +141,7 @@ void report(int dimension, std::size_t n, int rounds) {
               differing);
   for (const Task& task : tasks) {
     std::string ratio;
-    if (task.theirs)
-      ratio = number(bench::spread(task.their_seconds).median / bench::spread(task.our_seconds).median, 2);
+    if (task.theirs) ratio = number(lab::spread(task.their_seconds).median / lab::spread(task.our_seconds).median, 2);
     std::printf("| %s | %s | %s | %s |\n", task.what.c_str(), microseconds(task.our_seconds, task.queries).c_str(),
                 microseconds(task.their_seconds, task.queries).c_str(), ratio.c_str());
   }

@@ -1,7 +1,9 @@
 // Runs one library once on one workload, in a process of its own: fresh memory, and nothing of a rival in the caches.
-//   bench_worker PEER KIND N DIMENSION SEED BITS WEIGHT   prints seconds, processor seconds, cells, ...
-//   bench_worker --versions                               prints what was compiled into it, a line each
-// The rows are shuffled; weights are uniform in [0, WEIGHT), none when WEIGHT is 0.
+//   bench_worker PEER KIND N DIMENSION SEED BITS WEIGHT REPEATS   prints `seconds 0.5` and more, a line each
+//   bench_worker --versions                                       prints what was compiled into it, a line each
+// KIND is a kind of generated points, or the path of a file with columns x, y, z. The rows are shuffled; weights are
+// uniform in [0, WEIGHT), none when WEIGHT is 0. With REPEATS there are so many times N points, and every N of them are
+// triangulated for themselves: all numbers are sums.
 #include <boost/version.hpp>
 
 #include <algorithm>
@@ -14,17 +16,20 @@
 
 #include "bench/peer.hpp"
 #include "delone/io/generate.hpp"
+#include "delone/io/points_file.hpp"
 
 namespace {
 
 using delone::bench::Peer;
+using delone::bench::Run;
 
 std::vector<Peer> all_peers() {
-  std::vector<Peer> peers = delone::bench::delone_peers();
+  using namespace delone::bench;
+  std::vector<Peer> peers = delone_peers();
+  const auto add = [&](const std::vector<Peer>& more) { peers.insert(peers.end(), more.begin(), more.end()); };
+  add(file_peers());
 #ifdef DELONE_BENCH_PEERS
-  for (const auto& more : {delone::bench::cgal_2d_peers(), delone::bench::cgal_3d_peers(),
-                           delone::bench::cgal_d_peers(), delone::bench::qhull_peers()})
-    peers.insert(peers.end(), more.begin(), more.end());
+  for (const auto& more : {cgal_2d_peers(), cgal_3d_peers(), cgal_d_peers(), qhull_peers()}) add(more);
 #endif
   return peers;
 }
@@ -52,31 +57,54 @@ int print_versions() {
   return 0;
 }
 
+std::vector<double> points_of(const std::string& kind, std::size_t n, int dimension, std::uint64_t seed, int bits) {
+  if (kind.find('/') == std::string::npos) return delone::io::generate(kind, n, dimension, seed, bits).coordinates;
+  const std::vector<std::string> axes{"x", "y", "z"};
+  return delone::io::read_points(kind, {.columns = {axes.begin(), axes.begin() + dimension}}).coordinates;
+}
+
+std::vector<double> uniform_weights(std::size_t n, double below, std::uint64_t seed) {
+  std::vector<double> weights(n);
+  std::mt19937_64 random(seed);
+  for (double& w : weights) w = below * static_cast<double>(random() >> 11) * 0x1p-53;
+  return weights;
+}
+
+/// Runs the peer on the first, second, ... part of the points, and adds up.
+Run run_parts(const Peer& peer, const delone::PointsView& points, std::size_t parts) {
+  const std::size_t n = points.size() / parts;
+  const auto width = static_cast<std::size_t>(points.dimension());
+  Run sum;
+  for (std::size_t part = 0; part < parts; ++part) {
+    const auto weights = points.weighted() ? points.weights().subspan(part * n, n) : points.weights();
+    sum += peer.run({points.coordinates().subspan(part * n * width, n * width), points.dimension(), weights});
+  }
+  return sum;
+}
+
 int run(int argc, char** argv) {
   if (argc == 2 && argv[1] == std::string("--versions")) return print_versions();
-  if (argc != 8) {
-    std::fprintf(stderr, "usage: bench_worker PEER KIND N DIMENSION SEED BITS WEIGHT\n");
+  if (argc != 9) {
+    std::fprintf(stderr, "usage: bench_worker PEER KIND N DIMENSION SEED BITS WEIGHT REPEATS\n");
     return 2;
   }
   const std::string name = argv[1];
   const int dimension = std::atoi(argv[4]);
   const std::uint64_t seed = std::strtoull(argv[5], nullptr, 10);
   const double weight = std::strtod(argv[7], nullptr);
+  const std::size_t repeats = std::strtoull(argv[8], nullptr, 10);
+  const std::size_t n = std::strtoull(argv[3], nullptr, 10) * repeats;
 
-  auto generated =
-      delone::io::generate(argv[2], std::strtoull(argv[3], nullptr, 10), dimension, seed, std::atoi(argv[6]));
-  const std::vector<double> points = shuffled(generated.coordinates, static_cast<std::size_t>(dimension), seed + 1);
-  generated.coordinates = {};
-  std::vector<double> weights(weight > 0 ? points.size() / static_cast<std::size_t>(dimension) : 0);
-  std::mt19937_64 random(seed + 2);
-  for (double& w : weights) w = weight * static_cast<double>(random() >> 11) * 0x1p-53;
-
-  const delone::PointsView view(points, dimension, weights);
+  const auto width = static_cast<std::size_t>(dimension);
+  const std::vector<double> points =
+      shuffled(points_of(argv[2], n, dimension, seed, std::atoi(argv[6])), width, seed + 1);
+  const std::vector<double> weights = uniform_weights(weight > 0 ? points.size() / width : 0, weight, seed + 2);
   for (const Peer& peer : all_peers()) {
     if (peer.name != name || !peer.fits(dimension, !weights.empty())) continue;
-    const auto result = peer.run(view);
-    std::printf("%.6f %.6f %zu %zu %zu\n", result.seconds, result.processor, result.cells, result.vertices,
-                result.bytes);
+    const Run sum = run_parts(peer, {points, dimension, weights}, repeats);
+    std::printf("seconds %.6f\nprocessor %.6f\ncells %zu\nvertices %zu\nbytes %zu\n", sum.seconds, sum.processor,
+                sum.cells, sum.vertices, sum.bytes);
+    for (const auto& [what, count] : sum.counts) std::printf("%s %.9g\n", what.c_str(), count);
     return 0;
   }
   std::fprintf(stderr, "bench_worker: %s has nothing for dimension %d%s\n", name.c_str(), dimension,

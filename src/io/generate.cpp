@@ -339,7 +339,7 @@ void write_points(const std::string& path, const Generated& points) {
   Output output(path);
   if (Source::extension(path) == "npy") {
     output << npy_header("<f8", points.coordinates.size() / width, width);
-    for (const double x : points.coordinates) output.put(x);
+    output.put_all<double>(points.coordinates);
   } else {
     for (std::size_t axis = 0; axis < width; ++axis) {
       if (axis > 0) output << ',';

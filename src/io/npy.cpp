@@ -199,10 +199,10 @@ std::vector<std::string> write_npy(const std::string& stem, const MeshView& mesh
   outputs.emplace_back(stem + "_points.npy");
   outputs.emplace_back(stem + "_cells.npy");
   outputs[0] << npy_header("<f8", mesh.points.size(), static_cast<std::size_t>(mesh.points.dimension));
-  for (const double coordinate : mesh.points.coordinates) outputs[0].put(coordinate);
+  outputs[0].put_all<double>(mesh.points.coordinates);
   outputs[1] << npy_header(sizeof(Index) == 4 ? "<u4" : "<u8", mesh.cells.size(),
                            static_cast<std::size_t>(std::max(mesh.cells.corners, 1)));
-  for (const Index row : mesh.cells.vertices) outputs[1].put(row);
+  outputs[1].put_all<Index>(mesh.cells.vertices);
   commit_all(outputs);
   return {outputs[0].path(), outputs[1].path()};
 }

@@ -25,11 +25,19 @@ enum class NumberFault {
 /// Everything that fast parsing does not settle: leading '+', hexadecimal, zero, and faults.
 NumberFault parse_number_slowly(std::string_view text, double& value);
 
+/// Where the number at the front of [first, last) ends; null where fast parsing does not settle that it is one.
+inline const char* parse_leading_number(const char* first, const char* last, double& value) {
+  const auto [end, error] = fast_float::from_chars(first, last, value);
+  if (error != std::errc() || !std::isfinite(value)) return nullptr;
+  const bool settled = value != 0.0 || parse_number_slowly({first, end}, value) == NumberFault::none;
+  return settled ? end : nullptr;
+}
+
 /// The double nearest to `text`, all of which must be the number.
 inline NumberFault parse_number(std::string_view text, double& value) {
   const char* const last = text.data() + text.size();
-  const auto [end, error] = fast_float::from_chars(text.data(), last, value);
-  if (end == last && error == std::errc() && value != 0.0 && std::isfinite(value)) return NumberFault::none;
+  const char* const end = parse_leading_number(text.data(), last, value);
+  if (end != nullptr && end == last) return NumberFault::none;
   return parse_number_slowly(text, value);
 }
 

@@ -107,17 +107,26 @@ void Output::write(std::string_view bytes) {
 
 void Output::flush() {
   if (gzip_) {
-    compress(Z_NO_FLUSH);
+    compress(buffer_, Z_NO_FLUSH);
   } else {
     write(buffer_);
   }
   buffer_.clear();
 }
 
-void Output::compress(int mode) {
+/// Writes `bytes` after what is buffered, without a copy.
+Output& Output::pass(std::string_view bytes) {
+  flush();
+  for (; gzip_ && !bytes.empty(); bytes.remove_prefix(std::min(bytes.size(), kFull)))
+    compress(bytes.substr(0, kFull), Z_NO_FLUSH);
+  write(bytes);
+  return *this;
+}
+
+void Output::compress(std::string_view bytes, int mode) {
   z_stream& stream = gzip_->stream;
-  stream.next_in = reinterpret_cast<Bytef*>(buffer_.data());
-  stream.avail_in = static_cast<uInt>(buffer_.size());
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));  // zlib's older interface
+  stream.avail_in = static_cast<uInt>(bytes.size());
   std::array<char, 1 << 16> packed;
   do {
     stream.next_out = reinterpret_cast<Bytef*>(packed.data());
@@ -130,7 +139,7 @@ void Output::compress(int mode) {
 void Output::finish() {
   if (file_ < 0) return;
   flush();
-  if (gzip_) compress(Z_FINISH);
+  if (gzip_) compress({}, Z_FINISH);
   gzip_.reset();
   const int file = std::exchange(file_, -1);
   if (file > STDERR_FILENO && ::close(file) != 0) fail(errno);

@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <cstring>
 #include <memory>
+#include <ranges>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +30,7 @@ class Output {
   Output& operator=(Output&&) = delete;
 
   Output& operator<<(std::string_view text) {
+    if (text.size() >= kFull) return pass(text);
     buffer_.append(text);
     return flush_if_full();
   }
@@ -56,6 +59,18 @@ class Output {
     buffer_.append(bytes, sizeof(T));
     flush_if_full();
   }
+  /// The same of many, each as a T. Arrays that are laid out so already go out as they are.
+  template <class T, std::ranges::input_range Numbers>
+  void put_all(const Numbers& numbers) {
+    using Number = std::ranges::range_value_t<Numbers>;
+    constexpr bool kSame = sizeof(T) == sizeof(Number) && std::integral<T> == std::integral<Number>;
+    if constexpr (kSame && std::endian::native == std::endian::little && std::ranges::contiguous_range<Numbers>) {
+      const auto bytes = std::as_bytes(std::span(numbers));
+      *this << std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    } else {
+      for (const auto number : numbers) put(static_cast<T>(number));
+    }
+  }
 
   /// Writes what is buffered and closes; the file still has its temporary name.
   void finish();
@@ -71,7 +86,8 @@ class Output {
     return *this;
   }
   void flush();
-  void compress(int mode);
+  Output& pass(std::string_view bytes);
+  void compress(std::string_view bytes, int mode);
   void write(std::string_view bytes);
   [[noreturn]] void fail(int error) const;
 

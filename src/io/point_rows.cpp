@@ -21,6 +21,7 @@ class TextPoints {
   TextPoints(const Columns& columns, const Choice& choice, bool watch_texts)
       : choice_(choice), table_(empty_table(columns, choice)), width_(columns.size()) {
     for (const std::size_t column : choice.attributes) is_text_.push_back(!columns.numeric[column]);
+    if (!choice.is_radius && std::ranges::find(columns.numeric, false) == columns.numeric.end()) plain_.resize(width_);
     for (std::size_t column = 0; watch_texts && column < width_; ++column) {
       if (!columns.numeric[column]) suspects_.push_back({column});
     }
@@ -41,6 +42,18 @@ class TextPoints {
     }
     for (Suspect& suspect : suspects_) suspect.numbers += looks_like_number(row[suspect.column]) ? 1U : 0U;
     return true;
+  }
+
+  /// Adds the rows that follow as long as they are plain numbers, at most `most`, and says how many. @see next_numbers
+  std::size_t add_plain(Rows& rows, std::size_t most) {
+    std::size_t count = 0;
+    for (; !plain_.empty() && count != most && rows.next_numbers(plain_); ++count) {
+      for (const std::size_t column : choice_.coordinates) table_.coordinates.push_back(plain_[column]);
+      if (choice_.weight) table_.weights.push_back(plain_[*choice_.weight]);
+      for (std::size_t k = 0; k < choice_.attributes.size(); ++k)
+        table_.attributes[k].numbers.push_back(plain_[choice_.attributes[k]]);
+    }
+    return count;
   }
 
   std::size_t demoted() const { return demoted_; }
@@ -76,6 +89,7 @@ class TextPoints {
   PointTable table_;
   std::size_t width_;
   std::vector<bool> is_text_;  // per attribute
+  std::vector<double> plain_;  // a row, where all columns are numbers and none wants a second look
   std::vector<Suspect> suspects_;
   std::size_t demoted_ = 0;
 };
@@ -103,13 +117,15 @@ PointTable read_point_rows(Rows& rows, Columns& columns, const ReadOptions& opti
   for (;;) {
     const bool by_kind = options.columns.empty() && columns.usual.empty();
     TextPoints points(columns, choice, by_kind);
+    const std::size_t most = row_count.value_or(SIZE_MAX);
     std::size_t count = 0;
     bool complete = true;
+    points.reserve(std::min(most, rows.rows_left() + 1));
     do {
-      if (count == 1) points.reserve(std::min(row_count.value_or(SIZE_MAX), rows.rows_left() + 64));
       complete = points.add(rows);
       ++count;
-    } while (complete && count != row_count && rows.next());
+      if (complete) count += points.add_plain(rows, most - count);
+    } while (complete && count != most && rows.next());
     if (complete) {
       require_no_hidden_numbers(points, first_row, count);
       return points.take();

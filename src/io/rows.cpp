@@ -124,6 +124,30 @@ bool Rows::next_any() {
   return true;
 }
 
+bool Rows::next_numbers(std::span<double> numbers) {
+  if (!keyword_.empty()) return false;
+  const char* const first = cursor_;
+  const auto leave_it = [&] {
+    cursor_ = first;
+    return false;
+  };
+  for (std::size_t column = 0; column < numbers.size(); ++column) {
+    const char* const before = cursor_;
+    skip_blanks();
+    const bool apart =
+        column == 0 || (delimiter_ == kBlanks ? cursor_ != before : cursor_ != end_ && *cursor_++ == delimiter_);
+    if (!apart) return leave_it();
+    if (delimiter_ != kBlanks) skip_blanks();
+    const char* const end = parse_leading_number(cursor_, end_, numbers[column]);
+    if (end == nullptr) return leave_it();
+    cursor_ = end;
+  }
+  skip_blanks();
+  if (!at_line_end()) return leave_it();
+  end_line();
+  return true;
+}
+
 void Rows::read_fields() {
   for (;;) {
     if (cursor_ != end_ && *cursor_ == '"') {

@@ -37,6 +37,10 @@ class Rows {
   /// @throws InputError for quotation marks that do not match
   bool next();
 
+  /// Goes to the next row and reads it where it is plain: nothing but `numbers.size()` ordinary numbers. Anything else,
+  /// a fault too, is left to next(), and false is returned. size(), [] and the complaints go on about the row before.
+  bool next_numbers(std::span<double> numbers);
+
   /// From now on only rows that begin with this entry count.
   void keep_only(std::string_view keyword) { keyword_ = keyword; }
 

@@ -17,24 +17,6 @@ namespace {
 
 constexpr std::string_view kGzipMagic = "\x1f\x8b";
 
-/// Bytes that are appended to without being zeroed first.
-struct Growing {
-  std::unique_ptr<char[]> data;
-  std::size_t size = 0;
-  std::size_t capacity = 0;
-
-  void reserve(std::size_t wanted) {
-    if (wanted <= capacity) return;
-    auto larger = std::make_unique_for_overwrite<char[]>(wanted);
-    if (size != 0) std::memcpy(larger.get(), data.get(), size);
-    data = std::move(larger);
-    capacity = wanted;
-  }
-  void make_room(std::size_t bytes) {
-    if (capacity - size < bytes) reserve(std::max(size + bytes, capacity + capacity / 2));
-  }
-};
-
 class Descriptor {
  public:
   explicit Descriptor(int fd) : fd_(fd) {}
@@ -49,19 +31,19 @@ class Descriptor {
   int fd_;
 };
 
-Growing read_all(const std::string& name, int fd) {
+Buffer<char> read_all(const std::string& name, int fd) {
   struct stat status {};
   if (::fstat(fd, &status) != 0) complain(name, std::strerror(errno));
   if (S_ISDIR(status.st_mode)) complain(name, "expected a file, found a directory");
-  Growing bytes;
+  Buffer<char> bytes;
   if (S_ISREG(status.st_mode)) bytes.reserve(static_cast<std::size_t>(status.st_size) + 1);
   for (;;) {
-    if (bytes.capacity == bytes.size) bytes.make_room(std::size_t{1} << 16);
-    const ssize_t count = ::read(fd, bytes.data.get() + bytes.size, bytes.capacity - bytes.size);
+    if (bytes.capacity() == bytes.size()) bytes.reserve_more(std::size_t{1} << 16);
+    const ssize_t count = ::read(fd, bytes.end(), bytes.capacity() - bytes.size());
     if (count == 0) return bytes;
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) complain(name, std::strerror(errno));
-    bytes.size += static_cast<std::size_t>(count);
+    bytes.resize(bytes.size() + static_cast<std::size_t>(count));
   }
 }
 
@@ -79,8 +61,8 @@ class Inflater {
 };
 
 /// All members of a gzip file, one after the other; zero bytes after the last are padding.
-Growing unpack_gzip(const std::string& name, std::string_view packed) {
-  Growing bytes;
+Buffer<char> unpack_gzip(const std::string& name, std::string_view packed) {
+  Buffer<char> bytes;
   bytes.reserve(packed.size() * 4 + 64);
   Inflater inflater;
   z_stream& stream = inflater.stream;
@@ -88,16 +70,16 @@ Growing unpack_gzip(const std::string& name, std::string_view packed) {
   std::size_t used = 0;
   int state = Z_OK;
   while (state != Z_STREAM_END) {
-    bytes.make_room(std::size_t{1} << 16);
+    bytes.reserve_more(std::size_t{1} << 16);
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data() + used));  // zlib's older interface
     stream.avail_in = static_cast<uInt>(std::min(packed.size() - used, kMost));
-    stream.next_out = reinterpret_cast<Bytef*>(bytes.data.get() + bytes.size);
-    stream.avail_out = static_cast<uInt>(std::min(bytes.capacity - bytes.size, kMost));
+    stream.next_out = reinterpret_cast<Bytef*>(bytes.end());
+    stream.avail_out = static_cast<uInt>(std::min(bytes.capacity() - bytes.size(), kMost));
     const uInt in = stream.avail_in;
     const uInt out = stream.avail_out;
     state = inflate(&stream, Z_NO_FLUSH);
     used += in - stream.avail_in;
-    bytes.size += out - stream.avail_out;
+    bytes.resize(bytes.size() + out - stream.avail_out);
     if (state == Z_BUF_ERROR) complain(name, "the compressed data are cut off");
     if (state == Z_MEM_ERROR) throw std::bad_alloc();
     if (state != Z_OK && state != Z_STREAM_END) complain(name, "the compressed data are damaged");
@@ -118,9 +100,8 @@ bool ends_in_gz(const std::string& path) { return path.size() > 3 && (path.ends_
 
 void Source::unpack() {
   if (bytes_.starts_with(kGzipMagic)) {
-    Growing unpacked = unpack_gzip(name_, bytes_);
-    owned_ = std::move(unpacked.data);
-    bytes_ = {owned_.get(), unpacked.size};
+    owned_ = unpack_gzip(name_, bytes_);
+    bytes_ = {owned_.data(), owned_.size()};
   } else if (ends_in_gz(name_)) {
     complain(name_, "expected gzip data, as the name says");
   }
@@ -132,9 +113,8 @@ Source Source::read(const std::string& path) {
   source.name_ = standard_input ? "standard input" : path;
   const Descriptor file(standard_input ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) complain(source.name_, std::strerror(errno));
-  Growing bytes = read_all(source.name_, file.get());
-  source.owned_ = std::move(bytes.data);
-  source.bytes_ = {source.owned_.get(), bytes.size};
+  source.owned_ = read_all(source.name_, file.get());
+  source.bytes_ = {source.owned_.data(), source.owned_.size()};
   source.unpack();
   return source;
 }

@@ -1,10 +1,10 @@
 // The bytes of an input file, unpacked where they are compressed.
 #pragma once
 
-#include <cstddef>
-#include <memory>
 #include <string>
 #include <string_view>
+
+#include "delone/base/buffer.hpp"
 
 namespace delone::io {
 
@@ -32,7 +32,7 @@ class Source {
 
   std::string name_;
   std::string_view bytes_;
-  std::unique_ptr<char[]> owned_;
+  Buffer<char> owned_;
 };
 
 }  // namespace delone::io

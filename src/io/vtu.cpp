@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <ranges>
 
 #include "io/mesh_io.hpp"
 
@@ -90,17 +91,25 @@ std::string announce(const Grid& grid) {
   return xml.text() + "_";
 }
 
+/// An array after its length in bytes.
+template <class T, class Numbers>
+void put_array(Output& out, const Numbers& numbers) {
+  out.put<std::uint64_t>(std::ranges::size(numbers) * sizeof(T));
+  out.put_all<T>(numbers);
+}
+
 template <class Integer>
 void put_cells(Output& out, const Grid& grid) {
-  const std::span<const Index> corners = grid.corners();
-  out.put<std::uint64_t>(corners.size() * sizeof(Integer));
-  for (const Index row : corners) out.put(static_cast<Integer>(row));
-  out.put<std::uint64_t>(grid.cell_count() * sizeof(Integer));
-  for (std::size_t cell = 1; cell <= grid.cell_count(); ++cell) {
-    const std::size_t end =
-        grid.merged() ? grid.polygons.offsets[cell] : cell * static_cast<std::size_t>(grid.mesh.cells.corners);
-    out.put(static_cast<Integer>(end));
+  put_array<Integer>(out, grid.corners());
+  const auto corners = static_cast<std::size_t>(grid.mesh.cells.corners);
+  if (grid.merged()) {
+    put_array<Integer>(out, std::span(grid.polygons.offsets).subspan(1));
+  } else {
+    put_array<Integer>(out, std::views::iota(std::size_t{1}, grid.cell_count() + 1) |
+                                std::views::transform([=](std::size_t cell) { return cell * corners; }));
   }
+  const unsigned char type = grid.merged() ? kPolygon : kCellTypes[corners];
+  put_array<unsigned char>(out, std::vector(grid.cell_count(), type));
 }
 
 }  // namespace
@@ -120,17 +129,8 @@ void write_vtu(const std::string& path, const MeshView& mesh) {
   } else {
     put_cells<std::int32_t>(out, grid);
   }
-  const unsigned char type = grid.merged() ? kPolygon : kCellTypes[static_cast<std::size_t>(mesh.cells.corners)];
-  out.put<std::uint64_t>(grid.cell_count());
-  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) out.put(type);
-  for (const NamedNumbers& column : grid.numbers) {
-    out.put<std::uint64_t>(n * sizeof(double));
-    for (const double number : *column.numbers) out.put(number);
-  }
-  if (!grid.status.empty()) {
-    out.put<std::uint64_t>(n);
-    for (const unsigned char code : grid.status) out.put(code);
-  }
+  for (const NamedNumbers& column : grid.numbers) put_array<double>(out, *column.numbers);
+  if (!grid.status.empty()) put_array<unsigned char>(out, grid.status);
   out << "\n  </AppendedData>\n</VTKFile>\n";
   out.commit();
 }

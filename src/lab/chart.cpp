@@ -89,6 +89,37 @@ class Scale {
   double length_;
 };
 
+/// The drawing so far.
+class Canvas {
+ public:
+  void label(double x, double y, const std::string& text, const char* anchor, const std::string& more = "") {
+    text_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>\n", x, y, anchor, more,
+                         escaped(text));
+  }
+  void line(double x0, double y0, double x1, double y1, const char* colour) {
+    text_ += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"{}\"/>\n", x0, y0, x1, y1, colour);
+  }
+  void box(double x, double y, double width, double height, const char* colour) {
+    text_ += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"/>\n", x, y,
+                         width, height, colour);
+  }
+  void add(const std::string& element) { text_ += element; }
+
+  std::string svg(double width, double height) const {
+    return fmt::format(
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
+               "{1:.0f}\" "
+               "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+               width, height) +
+           text_ + "</svg>\n";
+  }
+
+ private:
+  std::string text_;
+};
+
+constexpr const char* kTitle = "font-size=\"15\" font-weight=\"bold\"";
+
 class Drawing {
  public:
   Drawing(std::span<const Panel> panels, std::size_t columns)
@@ -107,28 +138,16 @@ class Drawing {
     const double width = panel_width_ * static_cast<double>(columns_);
     const double panels_end = kHead + kPanelHeight * static_cast<double>(rows);
     const double height = panels_end + kLegendRow * static_cast<double>((names_.size() + 1) / 2) + 12;
-    text_ = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
-        "{1:.0f}\" "
-        "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-        width, height);
-    label(width / 2, 24, title, "middle", "font-size=\"15\" font-weight=\"bold\"");
+    canvas_.label(width / 2, 24, title, "middle", kTitle);
     for (std::size_t i = 0; i < panels_.size(); ++i) {
       draw(panels_[i], panel_width_ * static_cast<double>(i % columns_),
            kHead + kPanelHeight * static_cast<double>(i / columns_));
     }
     for (std::size_t i = 0; i < names_.size(); ++i) draw_key(i, width, panels_end);
-    return text_ + "</svg>\n";
+    return canvas_.svg(width, height);
   }
 
  private:
-  void label(double x, double y, const std::string& text, const char* anchor, const char* more = "") {
-    text_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>\n", x, y, anchor, more,
-                         escaped(text));
-  }
-  void line(double x0, double y0, double x1, double y1, const char* colour) {
-    text_ += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"{}\"/>\n", x0, y0, x1, y1, colour);
-  }
   std::size_t index_of(const std::string& name) const {
     return static_cast<std::size_t>(std::ranges::find(names_, name) - names_.begin());
   }
@@ -138,26 +157,26 @@ class Drawing {
     const double y0 = top + kPanelHeight - kBottom, y1 = top + kTop;
     const Scale x(panel.x, panel.series, 0, x1 - x0);
     const Scale y(panel.y, panel.series, 1, y0 - y1);
-    label((x0 + x1) / 2, y1 - 10, panel.title, "middle", "font-weight=\"bold\"");
+    canvas_.label((x0 + x1) / 2, y1 - 10, panel.title, "middle", "font-weight=\"bold\"");
     double free_from = left;  // labels must not touch each other
     for (const double tick : x.ticks()) {
-      line(x0 + x.at(tick), y0, x0 + x.at(tick), y1, "#DDDDDD");
+      canvas_.line(x0 + x.at(tick), y0, x0 + x.at(tick), y1, "#DDDDDD");
       const std::string text = tick_label(tick);
       const double half = 0.5 * kDigitWidth * static_cast<double>(text.size());
       if (x0 + x.at(tick) - half < free_from) continue;
-      label(x0 + x.at(tick), y0 + 16, text, "middle");
+      canvas_.label(x0 + x.at(tick), y0 + 16, text, "middle");
       free_from = x0 + x.at(tick) + half + 4;
     }
     for (const double tick : y.ticks()) {
-      line(x0, y0 - y.at(tick), x1, y0 - y.at(tick), "#DDDDDD");
-      label(x0 - 6, y0 - y.at(tick) + 4, tick_label(tick), "end");
+      canvas_.line(x0, y0 - y.at(tick), x1, y0 - y.at(tick), "#DDDDDD");
+      canvas_.label(x0 - 6, y0 - y.at(tick) + 4, tick_label(tick), "end");
     }
-    line(x0, y0, x1, y0, "black");
-    line(x0, y0, x0, y1, "black");
-    label((x0 + x1) / 2, y0 + 36, panel.x.title, "middle");
+    canvas_.line(x0, y0, x1, y0, "black");
+    canvas_.line(x0, y0, x0, y1, "black");
+    canvas_.label((x0 + x1) / 2, y0 + 36, panel.x.title, "middle");
     const double middle = (y0 + y1) / 2;
-    label(left + 14, middle, panel.y.title, "middle",
-          fmt::format("transform=\"rotate(-90 {:.1f} {:.1f})\"", left + 14, middle).c_str());
+    canvas_.label(left + 14, middle, panel.y.title, "middle",
+                  fmt::format("transform=\"rotate(-90 {:.1f} {:.1f})\"", left + 14, middle));
     for (const Series& series : panel.series) draw(series, x, y, x0, y0);
   }
 
@@ -171,19 +190,19 @@ class Drawing {
       if (!series.dashed) dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"/>", px, py);
     }
     if (!path.empty()) stroke(index, path);
-    text_ += fmt::format("<g fill=\"{}\">{}</g>\n", kColours[index % kColours.size()], dots);
+    canvas_.add(fmt::format("<g fill=\"{}\">{}</g>\n", kColours[index % kColours.size()], dots));
   }
 
   void stroke(std::size_t index, const std::string& path) {
-    text_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{}/>\n", path,
-                         kColours[index % kColours.size()], dashed_[index] ? " stroke-dasharray=\"6 4\"" : "");
+    canvas_.add(fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{}/>\n", path,
+                            kColours[index % kColours.size()], dashed_[index] ? " stroke-dasharray=\"6 4\"" : ""));
   }
 
   void draw_key(std::size_t index, double width, double top) {
     const double x = index % 2 == 0 ? 20 : width / 2 + 20;
     const double y = top + 10 + kLegendRow * static_cast<double>(index / 2);
     stroke(index, fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", x, y, x + 30, y));
-    label(x + 38, y + 4, names_[index], "start");
+    canvas_.label(x + 38, y + 4, names_[index], "start");
   }
 
   std::span<const Panel> panels_;
@@ -191,13 +210,92 @@ class Drawing {
   std::vector<std::string> names_;
   std::vector<bool> dashed_;
   double panel_width_ = columns_ == 1 ? kOnlyPanelWidth : kPanelWidth;
-  std::string text_;
+  Canvas canvas_;
+};
+
+/// Groups of horizontal bars below each other.
+class BarDrawing {
+ public:
+  explicit BarDrawing(std::span<const BarGroup> groups) : groups_(groups), axis_(axis_of(groups), {}, 0, kBars) {
+    for (const BarGroup& group : groups) {
+      for (const Bar& bar : group.bars) {
+        if (std::ranges::find(names_, bar.name) == names_.end()) names_.push_back(bar.name);
+      }
+      height_ += kGap + kBarRow * static_cast<double>(group.bars.size());
+    }
+  }
+
+  std::string svg(const std::string& title, const std::string& axis, std::span<const std::string> notes) {
+    const double bottom = kTopOfBars + height_;
+    canvas_.label(kWidth / 2, 24, title, "middle", kTitle);
+    double x = kNames;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      canvas_.box(x, 40, 12, 12, colour(i));
+      canvas_.label(x + 18, 50, names_[i], "start");
+      x += 42 + kDigitWidth * static_cast<double>(names_[i].size());
+    }
+    for (const double tick : axis_.ticks()) {
+      canvas_.line(kNames + axis_.at(tick), kTopOfBars, kNames + axis_.at(tick), bottom, "#DDDDDD");
+      canvas_.label(kNames + axis_.at(tick), bottom + 16, tick_label(tick), "middle");
+    }
+    canvas_.label(kNames + kBars / 2, bottom + 36, axis, "middle");
+    double y = kTopOfBars + kGap / 2;
+    for (const BarGroup& group : groups_) {
+      draw(group, y);
+      y += kGap + kBarRow * static_cast<double>(group.bars.size());
+    }
+    canvas_.line(kNames, kTopOfBars, kNames, bottom, "black");
+    y = bottom + 44;
+    for (const std::string& note : notes) canvas_.label(kWidth / 2, y += 16, note, "middle", kSmall);
+    return canvas_.svg(kWidth, y + 14);
+  }
+
+ private:
+  static constexpr double kWidth = 800, kNames = 150, kBars = 520;  // what is left is for the labels of the bars
+  static constexpr double kTopOfBars = 64, kBarRow = 19, kGap = 16;
+  static constexpr const char* kSmall = "font-size=\"11\" fill=\"#555555\"";
+
+  static Axis axis_of(std::span<const BarGroup> groups) {
+    double most = 0;
+    for (const BarGroup& group : groups) {
+      for (const Bar& bar : group.bars) most = std::max({most, bar.length, bar.most});
+    }
+    return {.title = "", .low = 0, .high = most > 0 ? most : 1};
+  }
+  static const char* colour(std::size_t index) { return kColours[index % kColours.size()]; }
+
+  void draw(const BarGroup& group, double y) {
+    const double middle = y + kBarRow * static_cast<double>(group.bars.size()) / 2;
+    canvas_.label(kNames - 10, middle - 2, group.title, "end", "font-weight=\"bold\"");
+    canvas_.label(kNames - 10, middle + 12, group.subtitle, "end", kSmall);
+    for (const Bar& bar : group.bars) {
+      const auto index = static_cast<std::size_t>(std::ranges::find(names_, bar.name) - names_.begin());
+      const double least = kNames + axis_.at(bar.least), most = kNames + axis_.at(bar.most);
+      const double end = kNames + axis_.at(bar.length);
+      canvas_.box(kNames, y + 1, end - kNames, kBarRow - 3, colour(index));
+      canvas_.line(least, y + kBarRow / 2, most, y + kBarRow / 2, "#333333");
+      for (const double tip : {least, most}) canvas_.line(tip, y + 5, tip, y + kBarRow - 6, "#333333");
+      canvas_.label(std::max(end, most) + 6, y + 13, bar.label, "start");
+      y += kBarRow;
+    }
+  }
+
+  std::span<const BarGroup> groups_;
+  Scale axis_;
+  std::vector<std::string> names_;
+  double height_ = 0;
+  Canvas canvas_;
 };
 
 }  // namespace
 
 std::string draw_chart(const std::string& title, std::span<const Panel> panels, std::size_t columns) {
   return Drawing(panels, columns).svg(title);
+}
+
+std::string draw_bars(const std::string& title, const std::string& axis, std::span<const BarGroup> groups,
+                      std::span<const std::string> notes) {
+  return BarDrawing(groups).svg(title, axis, notes);
 }
 
 }  // namespace delone::lab

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "delone/base/arithmetic.hpp"
+#include "delone/base/buffer.hpp"
 #include "delone/base/dispatch.hpp"
 #include "delone/base/random.hpp"
 
@@ -19,13 +20,16 @@ struct NamedCell {
   bool odd;
 };
 
+/// Without branches, which nobody can predict.
 template <std::size_t Corners>
 bool sort_names(std::array<Index, Corners>& names) {
   bool odd = false;
-  for (std::size_t i = 1; i < Corners; ++i) {
-    for (std::size_t j = i; j > 0 && names[j] < names[j - 1]; --j) {
-      std::swap(names[j], names[j - 1]);
-      odd = !odd;
+  for (std::size_t sorted = 0; sorted + 1 < Corners; ++sorted) {
+    for (std::size_t i = Corners - 1; i > sorted; --i) {
+      const auto [less, more] = std::pair(std::min(names[i - 1], names[i]), std::max(names[i - 1], names[i]));
+      odd ^= less != names[i - 1];
+      names[i - 1] = less;
+      names[i] = more;
     }
   }
   return odd;
@@ -33,26 +37,27 @@ bool sort_names(std::array<Index, Corners>& names) {
 
 /// Sorts cells by their names: a counting sort by the first name, then each small group.
 template <int Corners>
-void sort_cells(std::vector<NamedCell<Corners>>& cells, std::size_t name_count) {
-  std::vector<std::size_t> start(name_count + 1, 0);
-  for (const auto& cell : cells) ++start[cell.names[0] + std::size_t{1}];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<NamedCell<Corners>> sorted(cells.size());
-  std::vector<std::size_t> next(start.begin(), start.end() - 1);
-  for (const auto& cell : cells) sorted[next[cell.names[0]]++] = cell;
+void sort_cells(Buffer<NamedCell<Corners>>& cells, std::size_t name_count) {
+  Buffer<std::size_t> place;  // where the next cell with this first name goes
+  place.resize(name_count + 1, 0);
+  for (const auto& cell : cells) ++place[cell.names[0] + std::size_t{1}];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  Buffer<NamedCell<Corners>> sorted(cells.size());
+  for (const auto& cell : cells) sorted[place[cell.names[0]]++] = cell;
+  cells.swap(sorted);
+  auto* first = cells.begin();
   for (std::size_t name = 0; name < name_count; ++name) {
-    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(start[name]),
-              sorted.begin() + static_cast<std::ptrdiff_t>(start[name + 1]),
-              [](const auto& a, const auto& b) { return a.names < b.names; });
+    auto* const last = cells.begin() + place[name];
+    std::sort(first, last, [](const auto& a, const auto& b) { return a.names < b.names; });
+    first = last;
   }
-  cells = std::move(sorted);
 }
 
 /// The finite cells under names given by name(vertex) < name_count, sorted.
 template <int K, class Name>
-std::vector<NamedCell<K + 1>> named_cells(const AnyTriangulation& t, std::size_t name_count, Name name) {
-  const Complex& complex = t.complex();
-  std::vector<NamedCell<K + 1>> cells;
+Buffer<NamedCell<K + 1>> named_cells(const AnyTriangulation& t, std::size_t name_count, Name name) {
+  const ConstComplexView<K> complex(t.complex());
+  Buffer<NamedCell<K + 1>> cells;
   cells.reserve(t.cell_count());
   for (std::size_t s = 0; s < complex.slot_count(); ++s) {
     const CellId c{static_cast<Index>(s)};
@@ -66,26 +71,43 @@ std::vector<NamedCell<K + 1>> named_cells(const AnyTriangulation& t, std::size_t
   return cells;
 }
 
+/// The neighbours of the cells of a table, in which that of slot s stands at position[s]. Cells are taken by their
+/// slots: there those that are neighbours are near each other.
 template <int K>
-CellTable cells_of(const AnyTriangulation& t) {
-  const Complex& complex = t.complex();
+std::vector<Index> neighbours_in(const CellTable& table, const AnyTriangulation& t, const Buffer<Index>& position) {
+  const ConstComplexView<K> complex(t.complex());
+  std::vector<Index> neighbours(table.vertices.size());
+  for (std::size_t s = 0; s < complex.slot_count(); ++s) {
+    if (position[s] == kNone) continue;
+    const CellId c{static_cast<Index>(s)};
+    const std::size_t first = std::size_t{position[s]} * (K + 1);
+    for (int i = 0; i <= K; ++i) {
+      std::size_t at = first;
+      while (table.vertices[at] != t.row(complex.vertex(c, i))) ++at;
+      neighbours[at] = position[raw(complex.cell(complex.twin(c, i)))];
+    }
+  }
+  return neighbours;
+}
+
+template <int K>
+CellTable cells_of(const AnyTriangulation& t, bool with_neighbours) {
   const auto sorted = named_cells<K>(t, t.row_count(), [&](VertexId v) { return t.row(v); });
-  std::vector<Index> position(complex.slot_count(), kNone);
-  for (std::size_t i = 0; i < sorted.size(); ++i) position[raw(sorted[i].cell)] = static_cast<Index>(i);
   CellTable table{.corners = K + 1, .vertices = {}, .neighbours = {}};
   table.vertices.reserve(sorted.size() * (K + 1));
-  table.neighbours.reserve(sorted.size() * (K + 1));
   for (const auto& [names, cell, odd] : sorted) {
     auto rows = names;
     if constexpr (K >= 1) {
-      if (odd) std::swap(rows[K], rows[K - 1]);
+      rows[K - 1] = names[odd ? K : K - 1];
+      rows[K] = names[odd ? K - 1 : K];
     }
-    for (const Index row : rows) {
-      int i = 0;
-      while (complex.vertex(cell, i) != t.vertex(row)) ++i;
-      table.vertices.push_back(row);
-      table.neighbours.push_back(position[raw(complex.cell(complex.twin(cell, i)))]);
-    }
+    table.vertices.insert(table.vertices.end(), rows.begin(), rows.end());
+  }
+  if (with_neighbours) {
+    Buffer<Index> position;
+    position.resize(t.complex().slot_count(), kNone);
+    for (std::size_t i = 0; i < sorted.size(); ++i) position[raw(sorted[i].cell)] = static_cast<Index>(i);
+    table.neighbours = neighbours_in<K>(table, t, position);
   }
   return table;
 }
@@ -93,7 +115,7 @@ CellTable cells_of(const AnyTriangulation& t) {
 template <int K>
 CellTable hull_facets_of(const AnyTriangulation& t) {
   const Complex& complex = t.complex();
-  std::vector<NamedCell<K>> facets;
+  Buffer<NamedCell<K>> facets;
   facets.reserve(t.hull_facet_count());
   for (std::size_t s = 0; s < complex.slot_count(); ++s) {
     const CellId c{static_cast<Index>(s)};
@@ -199,9 +221,9 @@ std::pair<std::vector<Index>, std::size_t> lexicographic_ranks(const Sites& site
 
 }  // namespace
 
-CellTable cells(const AnyTriangulation& t) {
+CellTable cells(const AnyTriangulation& t, bool with_neighbours) {
   if (t.affine_dimension() < 0) return {};
-  return with_dimension(t.affine_dimension(), [&](auto k) { return cells_of<k>(t); });
+  return with_dimension(t.affine_dimension(), [&](auto k) { return cells_of<k>(t, with_neighbours); });
 }
 
 CellTable hull_facets(const AnyTriangulation& t) {

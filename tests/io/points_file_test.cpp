@@ -4,6 +4,8 @@
 #include <fenv.h>
 #include <zlib.h>
 
+#include <cmath>
+
 #include "io/files.hpp"
 
 namespace delone::io {
@@ -166,6 +168,29 @@ TEST(TextPoints, a_bad_entry_is_named_by_line_and_column) {
   EXPECT_EQ(
       refused("p.csv", "1;2\n3;1,5\n"),
       "p.csv: line 2, column 2: expected a number, found '1,5': write a decimal point, and nothing between thousands");
+}
+
+TEST(TextPoints, rows_of_plain_numbers_and_others_mix) {
+  const PointTable table =
+      read("a.csv", "x,y\n1,2\n3,4e0\n\"5\",6\n+7,8\n# none\n\n 9 ,\t0x1p1 \n0,-0.0\r\n11,12", {.attributes = true});
+  EXPECT_EQ(table.coordinates, (Doubles{1, 2, 3, 4, 5, 6, 7, 8, 9, 2, 0, 0, 11, 12}));
+  EXPECT_FALSE(std::signbit(table.coordinates[10]));
+  EXPECT_TRUE(std::signbit(table.coordinates[11]));
+  EXPECT_EQ(read("a", "1 2\n 3\t4 \n5 6 # six\n7 8").coordinates, (Doubles{1, 2, 3, 4, 5, 6, 7, 8}));
+  const PointTable all = read("a", "1,2,w\n3,4,5\n6,7,8\n", {.columns = {"2"}, .weights = "w", .attributes = true});
+  EXPECT_EQ(all.coordinates, (Doubles{4, 7}));
+  EXPECT_EQ(all.weights, (Doubles{5, 8}));
+  EXPECT_EQ(all.attributes.at(0).numbers, (Doubles{3, 6}));
+}
+
+TEST(TextPoints, faults_after_rows_of_plain_numbers_are_named_by_their_line) {
+  const std::string rows = "1,2\n3,4\r5,6\r\n7,8\n";
+  EXPECT_EQ(refused("a", rows + "9,"), "a: line 5, column 2: expected a number, found nothing");
+  EXPECT_EQ(refused("a", rows + "9\n"), "a: line 5: expected 2 columns, found 1");
+  EXPECT_EQ(refused("a", rows + "9,10,11\n"), "a: line 5: expected 2 columns, found 3");
+  EXPECT_EQ(refused("a", rows + "9,10\n,11\n"), "a: line 6, column 1: expected a number, found nothing");
+  EXPECT_EQ(refused("a", rows + "9,1e999\n").substr(0, 19), "a: line 5, column 2");
+  EXPECT_EQ(refused("a", rows + "9,0e5\n9,0.0001e-400\n").substr(0, 19), "a: line 6, column 2");
 }
 
 TEST(TextPoints, bad_numbers_in_the_first_row_are_not_taken_for_text) {

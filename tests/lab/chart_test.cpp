@@ -37,5 +37,27 @@ TEST(Chart, nothing_to_draw_is_an_empty_chart) {
   EXPECT_THAT(draw_chart("title", panels, 3), Not(HasSubstr("nan")));
 }
 
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+TEST(Bars, each_has_its_length_and_label_and_each_name_one_colour) {
+  const std::vector<BarGroup> groups{{"2d", "9 points", {{"us", 1, 1, 1, "1 s"}, {"them", 2, 1.5, 4, "2 s"}}},
+                                     {"3d", "9 points", {{"them", 3, 3, 3, "3 s"}}}};
+  const std::vector<std::string> notes{"here & now"};
+  const std::string svg = draw_bars("title", "times", groups, notes);
+  for (const char* text : {"1 s", "2 s", "3 s", "us", "them", "2d", "3d", "times", "here &amp; now"})
+    EXPECT_EQ(count(svg, ">" + std::string(text) + "<"), 1U) << text;
+  EXPECT_EQ(count(svg, "#D55E00"), 3U);                                             // two bars of theirs and the legend
+  EXPECT_THAT(svg, HasSubstr("width=\"260.0\" height=\"16.0\" fill=\"#D55E00\""));  // 2 of 4 on 520
+}
+
+TEST(Bars, nothing_to_draw_is_an_empty_chart) {
+  EXPECT_THAT(draw_bars("title", "times", {}, {}), HasSubstr("</svg>"));
+  EXPECT_THAT(draw_bars("title", "times", {}, {}), Not(HasSubstr("nan")));
+}
+
 }  // namespace
 }  // namespace delone::lab

@@ -1,4 +1,4 @@
-// Line charts as SVG: a few panels beside each other with one legend.
+// Charts as SVG: lines, a few panels beside each other with one legend; and horizontal bars in groups.
 #pragma once
 
 #include <array>
@@ -28,5 +28,21 @@ struct Panel {
 
 /// The chart as an SVG file. Points that a logarithmic axis cannot show are left out.
 std::string draw_chart(const std::string& title, std::span<const Panel> panels, std::size_t columns);
+
+struct Bar {
+  std::string name;  ///< equal names have one colour and one place in the legend
+  double length = 0;
+  double least = 0, most = 0;  ///< a whisker from here to there
+  std::string label;           ///< at its end
+};
+
+struct BarGroup {
+  std::string title, subtitle;
+  std::vector<Bar> bars;
+};
+
+/// The groups below each other, bars from 0 on. @param notes  small lines at the foot: where and when
+std::string draw_bars(const std::string& title, const std::string& axis, std::span<const BarGroup> groups,
+                      std::span<const std::string> notes);
 
 }  // namespace delone::lab
