@@ -101,14 +101,60 @@ struct Hyperplane {
   double height_error;  ///< times the size of l: bounds the rounding error of the sum
 };
 
-/// In the plane, a site as another one sees it.
-struct Ray {
+/// A site as another one sees it.
+template <int K>
+struct Ray;
+
+template <>
+struct Ray<2> {
   Pair to;
   double lift;  ///< how much higher its lifted point lies, but for the plane that touches at the other one
   double size;  ///< the sum of the sizes of its parts
 
   /// Twice the area of the triangle with both, positive when `next` follows in turning order.
   [[gnu::always_inline]] double turn(const Ray& next) const { return to[0] * next.to[1] - to[1] * next.to[0]; }
+};
+
+template <>
+struct Ray<3> {
+  Pair xy, zl;      ///< the coordinates and the lift
+  Pair xz, yl, lz;  ///< the same in other pairs, for minors
+
+  Ray() = default;
+  Ray(Pair first, Pair last)
+      : xy(first), zl(last), xz(firsts(first, last)), yl(seconds(first, last)), lz(turned(last, last)) {}
+};
+
+/// The 2 x 2 minors of two rays in space. Those of two and those of two others make the lifted determinant of the four.
+struct RayMinors {
+  Pair xy_zl, xz_yl, xl_yz;
+
+  [[gnu::always_inline]] RayMinors(const Ray<3>& a, const Ray<3>& b)
+      : xy_zl(a.xz * b.yl - a.yl * b.xz), xz_yl(a.xy * b.zl - a.zl * b.xy), xl_yz(a.xy * b.lz - a.lz * b.xy) {}
+  /// Each pair with its members exchanged: what the minors of two others are multiplied by.
+  [[gnu::always_inline]] RayMinors turned_over() const {
+    RayMinors over = *this;
+    for (Pair* p : {&over.xy_zl, &over.xz_yl, &over.xl_yz}) *p = turned(*p, *p);
+    return over;
+  }
+  /// Sixteen roundings on the way of each term, as elsewhere: three differences, five of the lift, two for each minor,
+  /// the product, three sums.
+  [[gnu::always_inline]] double determinant(const RayMinors& others_turned_over) const {
+    const Pair terms =
+        xy_zl * others_turned_over.xy_zl - xz_yl * others_turned_over.xz_yl + xl_yz * others_turned_over.xl_yz;
+    return terms[0] + terms[1];
+  }
+};
+
+/// A site that looks at others in space.
+template <int K>
+struct Eye;
+
+template <>
+struct Eye<3> {
+  Pair xy;
+  double z;
+  VertexId site;
 };
 
 template <int K>
@@ -142,6 +188,8 @@ class Kernel {
     return points;
   }
   const PredicateStats& stats() const { return stats_; }
+  /// Counts conflict tests that a search decided from rays.
+  void count_filtered(std::uint64_t tests) { stats_.conflict_filter += tests; }
 
   /// Sign of det(v1 - v0, ..., vK - v0) of finite vertices.
   [[gnu::always_inline]] int orient(const Cell& v) { return orient(at(v)); }
@@ -175,7 +223,7 @@ class Kernel {
   Hyperplane<K> hyperplane(const Cell& cell) const;
 
   /// v as `from` sees it.
-  [[gnu::always_inline]] Ray ray(VertexId v, VertexId from) const requires(K == 2) {
+  [[gnu::always_inline]] Ray<2> ray(VertexId v, VertexId from) const requires(K == 2) {
     const Pair to = load_pair(at(v)) - load_pair(at(from));
     const double square = to[0] * to[0] + to[1] * to[1];
     if (plain_) [[likely]]
@@ -183,16 +231,37 @@ class Kernel {
     const Lift extra = extra_lift(v, from);
     return {to, square + extra.value, square + extra.size};
   }
+  Eye<3> eye(VertexId q) const requires(K == 3) { return {load_pair(at(q)), at(q)[2], q}; }
+  /// The same in space; `size` becomes the sum of the sizes of the lift's parts.
+  [[gnu::always_inline]] Ray<3> ray(VertexId v, const Eye<3>& from, double& size) const requires(K == 3) {
+    const Pair xy = load_pair(at(v)) - from.xy;
+    const double z = at(v)[2] - from.z;
+    size = xy[0] * xy[0] + xy[1] * xy[1] + z * z;
+    double lift = size;
+    if (!plain_) [[unlikely]] {
+      const Lift extra = extra_lift(v, from.site);
+      lift += extra.value;
+      size += extra.size;
+    }
+    return {xy, Pair{z, lift}};
+  }
   /// conflict() of a cell whose corners q sees as a, b, c, with their turns; `cell` tells it where that is in doubt.
   template <class F>
-  [[gnu::always_inline]] bool conflict(const Ray& a, const Ray& b, const Ray& c, double ab, double bc, double ca,
-                                       VertexId q, const F& cell) requires(K == 2) {
+  [[gnu::always_inline]] bool conflict(const Ray<2>& a, const Ray<2>& b, const Ray<2>& c, double ab, double bc,
+                                       double ca, VertexId q, const F& cell) requires(K == 2) {
     const double value = a.lift * bc + b.lift * ca + c.lift * ab;
     if (std::abs(value) > bound_of_rays(std::max(std::max(a.size, b.size), c.size))) [[likely]] {
       ++stats_.conflict_filter;
       return value > 0.0;
     }
     return conflict_from_coordinates(cell(), q);
+  }
+  /// The error of a lifted determinant of rays of at most this size, which stands for S and for S + W. Infinite where
+  /// the determinant might overflow.
+  [[gnu::always_inline]] double bound_of_rays(double size) const {
+    if constexpr (K == 2) return conflict_bound_ * (3.0 * (size + 0x1p-900) * size) + 0x1p-1000;
+    const double s = size + 0x1p-300;
+    return (4 * 1.155 * (1 + 0x1p-40)) * conflict_bound_ * std::sqrt((s * s) * (s * s) * s) + 0x1p-447;
   }
 
   bool weighted() const { return weights_ != nullptr; }
@@ -266,10 +335,6 @@ class Kernel {
   }
   [[gnu::noinline]] bool decide_slowly(Estimate e, const Cell& cell, VertexId q);
   [[gnu::noinline]] bool conflict_from_coordinates(const Cell& cell, VertexId q) { return conflict(cell, q); }
-  /// The error of a lifted determinant of three rays of at most this size, which stands for S and for S + W.
-  [[gnu::always_inline]] double bound_of_rays(double size) const {
-    return conflict_bound_ * (3.0 * (size + 0x1p-900) * size) + 0x1p-1000;
-  }
   /// q lies exactly on the cell's lifted hyperplane.
   bool tie(const Cell& cell, VertexId q);
 
@@ -592,8 +657,8 @@ template <int K>
 template <int K>
 std::size_t Kernel<K>::innermost(VertexId a, VertexId b, std::span<const VertexId> corners) requires(K == 2) {
   if (corners.size() == 1) return 0;
-  const Ray end = ray(b, a);
-  std::array<Ray, 32> rays;
+  const Ray<2> end = ray(b, a);
+  std::array<Ray<2>, 32> rays;
   std::array<double, 32> sides;
   double size = end.size;
   for (std::size_t i = 0; i < corners.size(); ++i) {
