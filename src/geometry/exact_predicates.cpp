@@ -9,6 +9,7 @@
 #include "delone/base/ids.hpp"
 #include "delone/exact/determinant.hpp"
 #include "delone/exact/double_double.hpp"
+#include "delone/exact/four_rows.hpp"
 #include "exact/integer.hpp"
 
 namespace delone {
@@ -46,11 +47,25 @@ int sign_of_lifted(const Matrix<K + 1, Int>& m) {
   return K % 2 == 0 ? s : -s;
 }
 
-/// The middle stage for points that are no short integers; 0 when it cannot tell. Error, in units of u^2: a product of
-/// two double-doubles adds at most 7, a sum 6 of the running magnitudes; a term of the determinant of n = K + 1 columns
+/// Sign of a lifted determinant of double-doubles, 0 when it is not sure. Error, in units of u^2: a product of two
+/// double-doubles adds at most 7, a sum 6 of the running magnitudes; a term of the determinant of n = K + 1 columns
 /// passes n products and at most n (n - 1) / 2 sums, its lift K + E products and K + E + 1 sums. All relative to the
-/// permanent, which is at most n! times the product of the columns' maxima. The factor 4 covers second-order terms and
-/// the rounding of the bound.
+/// permanent, which is at most n! times the product of the columns' maxima. The factor 4 covers second-order terms, the
+/// rounding of the bound, and a last maximum that lacks the rounding of its sum.
+template <int K>
+int sign_beyond_error(double value, const std::array<double, size(K + 1)>& maxima, int other_count) {
+  constexpr int n = K + 1;
+  double permanent = factorial(n);
+  // Inside these limits nothing overflows, and what underflows is far below the bound.
+  for (const double largest : maxima) {
+    if (!(largest > 0x1p-80 && largest < 0x1p80)) return 0;
+    permanent *= largest;
+  }
+  const double bound = 4.0 * 0x1p-106 * (7 * n + 3 * n * (n - 1) + 13 * (K + other_count) + 6) * permanent;
+  return value > bound ? 1 : (value < -bound ? -1 : 0);
+}
+
+/// The middle stage for points that are no short integers; 0 when it cannot tell.
 /// @tparam Plain  heights are the squares of the leading coordinates and nothing else
 template <int K, bool Plain>
 int double_double_conflict(const SiteRefs<K, K + 2>& s) {
@@ -84,21 +99,34 @@ int double_double_conflict(const SiteRefs<K, K + 2>& s) {
     m[i][size(K)] = lift;
     maxima[size(K)] = std::max(maxima[size(K)], magnitude);
   }
-  double permanent = factorial(n);
-  // Inside these limits nothing overflows, and what underflows is far below the bound.
-  for (std::size_t j = 0; j < size(n); ++j) {
-    if (!(maxima[j] > 0x1p-80 && maxima[j] < 0x1p80)) return 0;
-    permanent *= maxima[j];
-  }
-  const double bound = 4.0 * 0x1p-106 * (7 * n + 3 * n * (n - 1) + 13 * (K + other_count) + 6) * permanent;
-  const double value = determinant<n>(m).high();
-  const int sign = value > bound ? 1 : (value < -bound ? -1 : 0);
+  const int sign = sign_beyond_error<K>(determinant<n>(m).high(), maxima, other_count);
   return K % 2 == 0 ? sign : -sign;
+}
+
+/// The same in space, two rows at a time, which takes half the time: on a sphere all tests come here.
+int double_double_conflict_in_space(const SiteRefs<3, 5>& s) {
+  using Two = DoubleDoubles<Pair>;
+  std::array<double, 4> maxima{};
+  const auto rows = [&](std::size_t i, std::size_t axis) __attribute__((always_inline)) {
+    const double q = s.leading[4][axis];
+    const Two d = Two::difference(Pair{s.leading[i][axis], s.leading[i + 1][axis]}, Pair{q, q});
+    maxima[axis] = std::max({maxima[axis], std::abs(d.high()[0]), std::abs(d.high()[1])});
+    return d;
+  };
+  const Two x0 = rows(0, 0), x1 = rows(2, 0), y0 = rows(0, 1), y1 = rows(2, 1), z0 = rows(0, 2), z1 = rows(2, 2);
+  const FourRows<Two> four = four_rows(x0, x1, y0, y1, z0, z1);
+  const Pair lifts = larger(four.ab_lifts.high(), four.cd_lifts.high());
+  maxima[3] = std::max(lifts[0], lifts[1]);
+  const Two terms = lifted_terms(four);
+  return sign_beyond_error<3>((terms[1] - terms[0]).high(), maxima, 0);
 }
 
 template <int K>
 int double_double_conflict(const SiteRefs<K, K + 2>& s) {
   const bool plain = s.other_count == 0 && !s.weighted;
+  if constexpr (K == 3) {
+    if (plain) return double_double_conflict_in_space(s);
+  }
   return plain ? double_double_conflict<K, true>(s) : double_double_conflict<K, false>(s);
 }
 

@@ -393,6 +393,7 @@ class Remover {
     ComplexView<K> complex(small.complex);
     Kernel<K> kernel(small.sites);
     small.scratch.reserve_cells(K, complex.slot_count());
+    small.scratch.reserve_vertices(K, small.sites.size());
     const VertexId q = small.sites.vertex(row);
     WalkStats walked;
     const CellId start = walk(complex, kernel, kernel.at(q), complex.incident_cell(kGhost), walked);

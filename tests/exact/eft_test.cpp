@@ -28,10 +28,10 @@ TEST(ErrorFree, a_sum_and_its_error_are_exact) {
   for (int trial = 0; trial < 20000; ++trial) {
     const double a = number(random, trial % 2 == 0 ? 40 : 900);
     const double b = trial % 3 == 0 ? -a * (1 + 0x1p-50) : number(random, 40);
-    const TwoDoubles s = two_sum(a, b);
+    const TwoParts<double> s = two_sum(a, b);
     ASSERT_EQ(s.high, a + b);
     ASSERT_EQ(integer(s.high) + integer(s.low), integer(a) + integer(b)) << a << ' ' << b;
-    const TwoDoubles q = std::abs(a) >= std::abs(b) ? quick_two_sum(a, b) : quick_two_sum(b, a);
+    const TwoParts<double> q = std::abs(a) >= std::abs(b) ? quick_two_sum(a, b) : quick_two_sum(b, a);
     ASSERT_EQ(q.low, s.low);
   }
 }
@@ -41,7 +41,7 @@ TEST(ErrorFree, a_product_and_its_error_are_exact) {
   for (int trial = 0; trial < 20000; ++trial) {
     const double a = number(random, 200);
     const double b = number(random, 200);
-    const TwoDoubles p = two_product(a, b);
+    const TwoParts<double> p = two_product(a, b);
     ASSERT_EQ(p.high, a * b);
     ASSERT_EQ(integer(p.high) + integer(p.low), integer(a, kUnit / 2) * integer(b, kUnit / 2)) << a << ' ' << b;
   }

@@ -6,38 +6,54 @@
 // and the last step, when the high parts cancel, by as much again.
 #pragma once
 
+#include <type_traits>
+
 #include "delone/exact/eft.hpp"
 
 namespace delone {
 
-class DoubleDouble {
+/// One such number, or two of them side by side: T is a double or a Pair.
+template <class T>
+class DoubleDoubles {
  public:
-  DoubleDouble() = default;
-  explicit DoubleDouble(double x) : high_(x), low_(0.0) {}
+  DoubleDoubles() = default;
+  explicit DoubleDoubles(T x) : high_(x), low_{} {}
   /// The exact difference a - b.
-  static DoubleDouble difference(double a, double b) { return DoubleDouble(two_sum(a, -b)); }
+  static DoubleDoubles difference(T a, T b) { return DoubleDoubles(two_sum(a, -b)); }
 
-  double high() const { return high_; }
+  T high() const { return high_; }
 
-  [[gnu::always_inline]] friend DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
-    const TwoDoubles s = two_sum(a.high_, b.high_);
-    return DoubleDouble(quick_two_sum(s.high, s.low + (a.low_ + b.low_)));
+  [[gnu::always_inline]] friend DoubleDoubles operator+(DoubleDoubles a, DoubleDoubles b) {
+    const TwoParts<T> s = two_sum(a.high_, b.high_);
+    return DoubleDoubles(quick_two_sum<T>(s.high, s.low + (a.low_ + b.low_)));
   }
-  [[gnu::always_inline]] friend DoubleDouble operator-(DoubleDouble a) {
+  [[gnu::always_inline]] friend DoubleDoubles operator-(DoubleDoubles a) {
     a.high_ = -a.high_;
     a.low_ = -a.low_;
     return a;
   }
-  [[gnu::always_inline]] friend DoubleDouble operator-(DoubleDouble a, DoubleDouble b) { return a + -b; }
-  [[gnu::always_inline]] friend DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
-    const TwoDoubles p = two_product(a.high_, b.high_);
-    return DoubleDouble(quick_two_sum(p.high, p.low + (a.high_ * b.low_ + a.low_ * b.high_)));
+  [[gnu::always_inline]] friend DoubleDoubles operator-(DoubleDoubles a, DoubleDoubles b) { return a + -b; }
+  [[gnu::always_inline]] friend DoubleDoubles operator*(DoubleDoubles a, DoubleDoubles b) {
+    const TwoParts<T> p = two_product(a.high_, b.high_);
+    return DoubleDoubles(quick_two_sum<T>(p.high, p.low + (a.high_ * b.low_ + a.low_ * b.high_)));
+  }
+
+  // Of two side by side, as of a Pair.
+  [[gnu::always_inline]] friend DoubleDoubles turned(DoubleDoubles a, DoubleDoubles b) {
+    return DoubleDoubles(TwoParts<T>{turned(a.high_, b.high_), turned(a.low_, b.low_)});
+  }
+  [[gnu::always_inline]] DoubleDoubles<double> operator[](int lane) const requires(!std::is_same_v<T, double>) {
+    return DoubleDoubles<double>(TwoParts<double>{high_[lane], low_[lane]});
   }
 
  private:
-  explicit DoubleDouble(TwoDoubles x) : high_(x.high), low_(x.low) {}
+  template <class>
+  friend class DoubleDoubles;
+  explicit DoubleDoubles(TwoParts<T> x) : high_(x.high), low_(x.low) {}
 
-  double high_, low_;
+  T high_, low_;
 };
+
+using DoubleDouble = DoubleDoubles<double>;
 
 }  // namespace delone

@@ -5,36 +5,50 @@
 
 #include <cmath>
 
+#include "delone/base/pair.hpp"
+
 namespace delone {
 
-struct TwoDoubles {
-  double high, low;  ///< high + low is the exact value, |low| at most half an ulp of high
+/// Each T is a double, or a Pair of doubles.
+template <class T>
+struct TwoParts {
+  T high, low;  ///< high + low is the exact value, |low| at most half an ulp of high
 };
 
-[[gnu::always_inline]] inline TwoDoubles two_sum(double a, double b) {
-  const double s = a + b;
-  const double bb = s - a;
+template <class T>
+[[gnu::always_inline]] inline TwoParts<T> two_sum(T a, T b) {
+  const T s = a + b;
+  const T bb = s - a;
   return {s, (a - (s - bb)) + (b - bb)};
 }
 
 /// Requires |a| >= |b| or a == 0.
-[[gnu::always_inline]] inline TwoDoubles quick_two_sum(double a, double b) {
-  const double s = a + b;
+template <class T>
+[[gnu::always_inline]] inline TwoParts<T> quick_two_sum(T a, T b) {
+  const T s = a + b;
   return {s, b - (s - a)};
 }
 
-[[gnu::always_inline]] inline TwoDoubles two_product(double a, double b) {
-  const double p = a * b;
 #ifdef __FMA__
-  return {p, std::fma(a, b, -p)};
+[[gnu::always_inline]] inline double fused(double a, double b, double c) { return std::fma(a, b, c); }
+[[gnu::always_inline]] inline Pair fused(Pair a, Pair b, Pair c) {
+  return {std::fma(a[0], b[0], c[0]), std::fma(a[1], b[1], c[1])};
+}
+#endif
+
+template <class T>
+[[gnu::always_inline]] inline TwoParts<T> two_product(T a, T b) {
+  const T p = a * b;
+#ifdef __FMA__
+  return {p, fused(a, b, -p)};
 #else
   constexpr double kSplitter = 134217729.0;  // 2^27 + 1
-  const double ta = kSplitter * a;
-  const double ah = ta - (ta - a);
-  const double al = a - ah;
-  const double tb = kSplitter * b;
-  const double bh = tb - (tb - b);
-  const double bl = b - bh;
+  const T ta = kSplitter * a;
+  const T ah = ta - (ta - a);
+  const T al = a - ah;
+  const T tb = kSplitter * b;
+  const T bh = tb - (tb - b);
+  const T bl = b - bh;
   return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
 #endif
 }

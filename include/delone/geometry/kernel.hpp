@@ -26,6 +26,7 @@
 
 #include "delone/base/pair.hpp"
 #include "delone/exact/determinant.hpp"
+#include "delone/exact/four_rows.hpp"
 #include "delone/geometry/exact_predicates.hpp"
 #include "delone/geometry/perturb.hpp"
 #include "delone/geometry/sites.hpp"
@@ -100,14 +101,60 @@ struct Hyperplane {
   double height_error;  ///< times the size of l: bounds the rounding error of the sum
 };
 
-/// In the plane, a site as another one sees it.
-struct Ray {
+/// A site as another one sees it.
+template <int K>
+struct Ray;
+
+template <>
+struct Ray<2> {
   Pair to;
   double lift;  ///< how much higher its lifted point lies, but for the plane that touches at the other one
   double size;  ///< the sum of the sizes of its parts
 
   /// Twice the area of the triangle with both, positive when `next` follows in turning order.
   [[gnu::always_inline]] double turn(const Ray& next) const { return to[0] * next.to[1] - to[1] * next.to[0]; }
+};
+
+template <>
+struct Ray<3> {
+  Pair xy, zl;      ///< the coordinates and the lift
+  Pair xz, yl, lz;  ///< the same in other pairs, for minors
+
+  Ray() = default;
+  Ray(Pair first, Pair last)
+      : xy(first), zl(last), xz(firsts(first, last)), yl(seconds(first, last)), lz(turned(last, last)) {}
+};
+
+/// The 2 x 2 minors of two rays in space. Those of two and those of two others make the lifted determinant of the four.
+struct RayMinors {
+  Pair xy_zl, xz_yl, xl_yz;
+
+  [[gnu::always_inline]] RayMinors(const Ray<3>& a, const Ray<3>& b)
+      : xy_zl(a.xz * b.yl - a.yl * b.xz), xz_yl(a.xy * b.zl - a.zl * b.xy), xl_yz(a.xy * b.lz - a.lz * b.xy) {}
+  /// Each pair with its members exchanged: what the minors of two others are multiplied by.
+  [[gnu::always_inline]] RayMinors turned_over() const {
+    RayMinors over = *this;
+    for (Pair* p : {&over.xy_zl, &over.xz_yl, &over.xl_yz}) *p = turned(*p, *p);
+    return over;
+  }
+  /// Sixteen roundings on the way of each term, as elsewhere: three differences, five of the lift, two for each minor,
+  /// the product, three sums.
+  [[gnu::always_inline]] double determinant(const RayMinors& others_turned_over) const {
+    const Pair terms =
+        xy_zl * others_turned_over.xy_zl - xz_yl * others_turned_over.xz_yl + xl_yz * others_turned_over.xl_yz;
+    return terms[0] + terms[1];
+  }
+};
+
+/// A site that looks at others in space.
+template <int K>
+struct Eye;
+
+template <>
+struct Eye<3> {
+  Pair xy;
+  double z;
+  VertexId site;
 };
 
 template <int K>
@@ -141,6 +188,8 @@ class Kernel {
     return points;
   }
   const PredicateStats& stats() const { return stats_; }
+  /// Counts conflict tests that a search decided from rays.
+  void count_filtered(std::uint64_t tests) { stats_.conflict_filter += tests; }
 
   /// Sign of det(v1 - v0, ..., vK - v0) of finite vertices.
   [[gnu::always_inline]] int orient(const Cell& v) { return orient(at(v)); }
@@ -174,7 +223,7 @@ class Kernel {
   Hyperplane<K> hyperplane(const Cell& cell) const;
 
   /// v as `from` sees it.
-  [[gnu::always_inline]] Ray ray(VertexId v, VertexId from) const requires(K == 2) {
+  [[gnu::always_inline]] Ray<2> ray(VertexId v, VertexId from) const requires(K == 2) {
     const Pair to = load_pair(at(v)) - load_pair(at(from));
     const double square = to[0] * to[0] + to[1] * to[1];
     if (plain_) [[likely]]
@@ -182,16 +231,37 @@ class Kernel {
     const Lift extra = extra_lift(v, from);
     return {to, square + extra.value, square + extra.size};
   }
+  Eye<3> eye(VertexId q) const requires(K == 3) { return {load_pair(at(q)), at(q)[2], q}; }
+  /// The same in space; `size` becomes the sum of the sizes of the lift's parts.
+  [[gnu::always_inline]] Ray<3> ray(VertexId v, const Eye<3>& from, double& size) const requires(K == 3) {
+    const Pair xy = load_pair(at(v)) - from.xy;
+    const double z = at(v)[2] - from.z;
+    size = xy[0] * xy[0] + xy[1] * xy[1] + z * z;
+    double lift = size;
+    if (!plain_) [[unlikely]] {
+      const Lift extra = extra_lift(v, from.site);
+      lift += extra.value;
+      size += extra.size;
+    }
+    return {xy, Pair{z, lift}};
+  }
   /// conflict() of a cell whose corners q sees as a, b, c, with their turns; `cell` tells it where that is in doubt.
   template <class F>
-  [[gnu::always_inline]] bool conflict(const Ray& a, const Ray& b, const Ray& c, double ab, double bc, double ca,
-                                       VertexId q, const F& cell) requires(K == 2) {
+  [[gnu::always_inline]] bool conflict(const Ray<2>& a, const Ray<2>& b, const Ray<2>& c, double ab, double bc,
+                                       double ca, VertexId q, const F& cell) requires(K == 2) {
     const double value = a.lift * bc + b.lift * ca + c.lift * ab;
     if (std::abs(value) > bound_of_rays(std::max(std::max(a.size, b.size), c.size))) [[likely]] {
       ++stats_.conflict_filter;
       return value > 0.0;
     }
     return conflict_from_coordinates(cell(), q);
+  }
+  /// The error of a lifted determinant of rays of at most this size, which stands for S and for S + W. Infinite where
+  /// the determinant might overflow.
+  [[gnu::always_inline]] double bound_of_rays(double size) const {
+    if constexpr (K == 2) return conflict_bound_ * (3.0 * (size + 0x1p-900) * size) + 0x1p-1000;
+    const double s = size + 0x1p-300;
+    return (4 * 1.155 * (1 + 0x1p-40)) * conflict_bound_ * std::sqrt((s * s) * (s * s) * s) + 0x1p-447;
   }
 
   /// The same of a cell with corner `seer`, from where the others are seen as a and b, and the query as q.
@@ -253,12 +323,9 @@ class Kernel {
   SlowSign slow_conflict_sign(const Cell& cell, VertexId q) const;
 
  private:
-  /// In 3D the differences of a cell's corners a, b, c, d to q: their determinants abc, bcd and cda, dab, and the
-  /// squared lengths of a, b and c, d.
-  struct FourRows {
-    Pair abc, cda, ab_squares, cd_squares;
-  };
-  FourRows seen_from(const Cell& cell, const double* q) const requires(K == 3);
+  /// In 3D from the differences of a cell's corners to q.
+  template <class P>
+  FourRows<P> seen_from(const Cell& cell, const double* q) const requires(K == 3);
 
   /// The orientations of the cell with one vertex after the other replaced by q, and what bounds their errors.
   struct Sides {
@@ -291,10 +358,6 @@ class Kernel {
   }
   [[gnu::noinline]] bool decide_slowly(Estimate e, const Cell& cell, VertexId q);
   [[gnu::noinline]] bool conflict_from_coordinates(const Cell& cell, VertexId q) { return conflict(cell, q); }
-  /// The error of a lifted determinant of three rays of at most this size, which stands for S and for S + W.
-  [[gnu::always_inline]] double bound_of_rays(double size) const {
-    return conflict_bound_ * (3.0 * (size + 0x1p-900) * size) + 0x1p-1000;
-  }
   /// q lies exactly on the cell's lifted hyperplane.
   bool tie(const Cell& cell, VertexId q);
 
@@ -361,30 +424,18 @@ template <int K>
   }
 }
 
-// Two rows at a time: (a, b) and (c, d), each of which is a column's entries. Turning the four rows a, b, c, d by one
-// takes the minors ab, bc, cd, da of two columns, and abc, bcd, cda, dab of three, into one another.
 template <int K>
-[[gnu::always_inline]] inline typename Kernel<K>::FourRows Kernel<K>::seen_from(const Cell& cell, const double* q) const
+template <class P>
+[[gnu::always_inline]] inline FourRows<P> Kernel<K>::seen_from(const Cell& cell, const double* q) const
     requires(K == 3) {
   const Pair xy = load_pair(q);
   const Pair a = load_pair(at(cell[0])) - xy;
   const Pair b = load_pair(at(cell[1])) - xy;
   const Pair c = load_pair(at(cell[2])) - xy;
   const Pair d = load_pair(at(cell[3])) - xy;
-  const Pair x0 = firsts(a, b);
-  const Pair x1 = firsts(c, d);
-  const Pair y0 = seconds(a, b);
-  const Pair y1 = seconds(c, d);
   const Pair z0 = Pair{at(cell[0])[2], at(cell[1])[2]} - q[2];
   const Pair z1 = Pair{at(cell[2])[2], at(cell[3])[2]} - q[2];
-  const Pair l0 = x0 * x0 + y0 * y0 + z0 * z0;
-  const Pair l1 = x1 * x1 + y1 * y1 + z1 * z1;
-  const Pair p0 = x0 * turned(y0, y1) - turned(x0, x1) * y0;           // ab, bc
-  const Pair p1 = x1 * turned(y1, y0) - turned(x1, x0) * y1;           // cd, da
-  const Pair r = x0 * y1 - x1 * y0;                                    // ac, bd
-  const Pair v0 = z0 * turned(p0, p1) - turned(z0, z1) * r + z1 * p0;  // abc, bcd
-  const Pair v1 = z1 * turned(p1, p0) + turned(z1, z0) * r + z0 * p1;  // cda, dab
-  return {v0, v1, l0, l1};
+  return four_rows(P(firsts(a, b)), P(firsts(c, d)), P(seconds(a, b)), P(seconds(c, d)), P(z0), P(z1));
 }
 
 template <int K>
@@ -416,7 +467,7 @@ template <int K>
     const double permanent = 3.0 * (square + 0x1p-900) * height;
     return {value, permanent, tame_ && std::abs(value) > conflict_bound_ * permanent + 0x1p-1000};
   } else if constexpr (K == 3) {
-    auto [abc, cda, l0, l1] = seen_from(cell, at(q));
+    auto [abc, cda, l0, l1] = seen_from<Pair>(cell, at(q));
     const Pair larger_lifts = larger(l0, l1);
     const double square = std::max(larger_lifts[0], larger_lifts[1]);
     double height = square;
@@ -430,7 +481,7 @@ template <int K>
       l0 += Pair{la.value, lb.value};
       l1 += Pair{lc.value, ld.value};
     }
-    const Pair terms = turned(l1, l0) * abc + turned(l0, l1) * cda;
+    const Pair terms = lifted_terms<Pair>({abc, cda, l0, l1});
     const double value = terms[1] - terms[0];
     // |value| > c (S + W) S^(3/2), squared on both sides: no root.
     const double s = square + 0x1p-300;
@@ -446,30 +497,46 @@ template <int K>
 // products and at most (K + 1) K / 2 sums.
 template <int K>
 typename Kernel<K>::Estimate Kernel<K>::estimate_by_permanent(const Cell& cell, VertexId q) const {
-  constexpr double kBound = 1.01 * filter::kU * (K + (K + kMaxDimension + 4) + K + 0.5 * K * (K + 1));
-  const double* origin = at(q);
-  Matrix<K + 1, double> m;
-  Matrix<K + 1, double> sizes;
-  double height = 0.0;
-  for (std::size_t i = 0; i <= kCoordinates; ++i) {
-    const double* p = at(cell[i]);
-    double lift = 0.0;
-    for (std::size_t j = 0; j < kCoordinates; ++j) {
-      m[i][j] = p[j] - origin[j];
-      sizes[i][j] = m[i][j];
-      lift += m[i][j] * m[i][j];
-    }
-    const Lift extra = plain_ ? Lift{0.0, 0.0} : extra_lift(cell[i], q);
-    m[i][K] = lift + extra.value;
-    sizes[i][K] = lift + extra.size;
-    height = std::max(height, sizes[i][K]);
+  const auto estimate = [this](double value, double permanent, double height) -> Estimate {
+    constexpr double kBound = 1.01 * filter::kU * (K + (K + kMaxDimension + 4) + K + 0.5 * K * (K + 1));
+    // A minor that underflows is off by 2^-1075, and its cofactor below 2^(100 (K - 2) + 200): less than the bound.
+    constexpr double kSmallest = K <= 6 ? 0x1p-400 : (K == 7 ? 0x1p-300 : 0x1p-200);
+    const bool safe = tame_ && height < 0x1p200 && permanent > kSmallest && permanent < 0x1p900;
+    return {value, std::numeric_limits<double>::infinity(), safe && std::abs(value) > kBound * permanent};
+  };
+  std::array<Lift, K + 1> extra{};
+  if (!plain_) {
+    for (std::size_t i = 0; i <= kCoordinates; ++i) extra[i] = extra_lift(cell[i], q);
   }
-  const double value = K % 2 == 0 ? determinant<K + 1>(m) : -determinant<K + 1>(m);
-  const double permanent = absolute_permanent<K + 1>(sizes);
-  // A minor that underflows is off by 2^-1075, and its cofactor below 2^(100 (K - 2) + 200): less than the bound.
-  constexpr double kSmallest = K <= 6 ? 0x1p-400 : (K == 7 ? 0x1p-300 : 0x1p-200);
-  const bool safe = tame_ && height < 0x1p200 && permanent > kSmallest && permanent < 0x1p900;
-  return {value, std::numeric_limits<double>::infinity(), safe && std::abs(value) > kBound * permanent};
+  if constexpr (K == 3) {  // half the instructions
+    auto rows = seen_from<SizedPair>(cell, at(q));
+    rows.ab_lifts.value += Pair{extra[0].value, extra[1].value};
+    rows.cd_lifts.value += Pair{extra[2].value, extra[3].value};
+    rows.ab_lifts.size += Pair{extra[0].size, extra[1].size};
+    rows.cd_lifts.size += Pair{extra[2].size, extra[3].size};
+    const Pair heights = larger(rows.ab_lifts.size, rows.cd_lifts.size);
+    const SizedPair terms = lifted_terms(rows);
+    return estimate(terms.value[1] - terms.value[0], terms.size[0] + terms.size[1], std::max(heights[0], heights[1]));
+  } else {
+    const double* origin = at(q);
+    Matrix<K + 1, double> m;
+    Matrix<K + 1, double> sizes;
+    double height = 0.0;
+    for (std::size_t i = 0; i <= kCoordinates; ++i) {
+      const double* p = at(cell[i]);
+      double lift = 0.0;
+      for (std::size_t j = 0; j < kCoordinates; ++j) {
+        m[i][j] = p[j] - origin[j];
+        sizes[i][j] = m[i][j];
+        lift += m[i][j] * m[i][j];
+      }
+      m[i][K] = lift + extra[i].value;
+      sizes[i][K] = lift + extra[i].size;
+      height = std::max(height, sizes[i][K]);
+    }
+    const double value = K % 2 == 0 ? determinant<K + 1>(m) : -determinant<K + 1>(m);
+    return estimate(value, absolute_permanent<K + 1>(sizes), height);
+  }
 }
 
 template <int K>
@@ -485,8 +552,8 @@ template <int K>
     return {{b[0] * c[1] - b[1] * c[0], c[0] * a[1] - c[1] * a[0], a[0] * b[1] - a[1] * b[0]},
             3.1 * filter::kU * (squares[0] + squares[1]) + slack};
   } else {
-    const auto [abc, cda, ab_squares, cd_squares] = seen_from(cell, q);
-    const Pair squares = larger(ab_squares, cd_squares);
+    const auto [abc, cda, ab_lifts, cd_lifts] = seen_from<Pair>(cell, q);
+    const Pair squares = larger(ab_lifts, cd_lifts);
     const double square = std::max(squares[0], squares[1]);
     return {{abc[1], -cda[0], cda[1], -abc[0]}, 8.3 * filter::kU * square * std::sqrt(square) + slack};
   }
@@ -613,8 +680,8 @@ template <int K>
 template <int K>
 std::size_t Kernel<K>::innermost(VertexId a, VertexId b, std::span<const VertexId> corners) requires(K == 2) {
   if (corners.size() == 1) return 0;
-  const Ray end = ray(b, a);
-  std::array<Ray, 32> rays;
+  const Ray<2> end = ray(b, a);
+  std::array<Ray<2>, 32> rays;
   std::array<double, 32> sides;
   double size = end.size;
   for (std::size_t i = 0; i < corners.size(); ++i) {

@@ -42,6 +42,7 @@ class Inserter {
   /// On std::bad_alloc the mesh is as it was. Cost: the walk, then O(K * cells changed).
   Outcome insert(VertexId q, CellId start) {
     scratch_->reserve_cells(K, complex_.slot_count());
+    scratch_->reserve_vertices(K, mesh_->sites.size());
     if (mesh_->hidden.kept()) mesh_->hidden.reserve(mesh_->sites.size(), complex_.slot_count());
     WalkStats walked;
     const CellId c = walk(complex_, kernel_, kernel_.at(q), start, walked);
@@ -84,7 +85,7 @@ class Inserter {
     try {
       find_cavity(complex_, kernel_, q, start, *scratch_);
       mesh_->complex.reserve_more(scratch_->boundary.size(), mesh_->sites.size());
-      scratch_->prepare_star(K, complex_.slot_count(), mesh_->sites.size());
+      scratch_->prepare_star(K, complex_.slot_count());
       if (mesh_->sites.weighted()) reserve_hidden();
     } catch (...) {
       clean_marks();

@@ -12,14 +12,23 @@
 
 namespace delone {
 
-/// In 3D: the facets of a new star by the directed edges of the cavity's boundary, on vertices numbered as they come.
-struct EdgeTable {
-  static constexpr std::size_t kVertices = 64;  ///< larger stars are linked by turning
+/// In 3D: what a query sees of the vertices of its cavity. They are numbered as the search comes to them; one that it
+/// comes to again gets another number, which then counts.
+struct Sight {
+  Buffer<Index> number;  ///< per vertex + 1, the ghost at 0; means something for vertices of the cavity
+  Buffer<Ray<3>> rays;   ///< per number, but for the ghost's
+  std::size_t asked;     ///< tests that rays did not decide
 
-  Buffer<std::uint16_t> number;  ///< per vertex + 1, the ghost at 0; valid when member[number] is the vertex
-  std::array<VertexId, kVertices> member;
-  std::array<std::array<FacetId, kVertices>, kVertices> facet;
-  std::array<std::array<std::uint16_t, 3>, 2 * kVertices> numbers;  ///< per new cell, of its three boundary vertices
+  Index& number_of(VertexId v) { return number.data()[static_cast<Index>(raw(v) + 1)]; }
+  std::size_t memory_bytes() const { return number.capacity() * sizeof(Index) + rays.capacity() * sizeof(Ray<3>); }
+};
+
+/// In 3D: the facets of a new star by the directed edges of the cavity's boundary.
+struct EdgeTable {
+  static constexpr std::size_t kNumbers = 64;  ///< larger stars are linked by turning
+
+  std::array<std::array<FacetId, kNumbers>, kNumbers> facet;
+  std::array<std::array<Index, 3>, 2 * kNumbers> numbers;  ///< per new cell, of its three boundary vertices
 };
 
 /// What a removal plans: the hole, and the cells that will fill it.
@@ -54,7 +63,7 @@ struct Hole {
 /// In the plane, an edge that a search has still to cross, seen from beyond, with what the query sees of its ends.
 struct Front {
   FacetId outside;
-  Ray left, right;
+  Ray<2> left, right;
   double turn;  ///< from left to right
 };
 
@@ -70,6 +79,7 @@ struct Scratch {
   Buffer<VertexId> swallowed;  ///< vertices whose whole star lay in the cavity, with weights
   Buffer<VertexId> displaced;  ///< hidden sites of cells that go, where they are known
   Buffer<CellId> removed;      ///< the cells of the cavity, when somebody asked for them
+  Sight sight;
   EdgeTable edges;
   Hole hole;
   Buffer<double> planes;  ///< above 3D, per cell slot a Hyperplane; not yet known where it starts with NaN
@@ -85,17 +95,19 @@ struct Scratch {
     planes.resize(marks.capacity() * plane_size(k), std::numeric_limits<double>::quiet_NaN());
     marks.resize(marks.capacity(), Mark::none);
   }
+  /// For searches among vertices below `vertices`.
+  void reserve_vertices(int k, std::size_t vertices) {
+    if (k == 3 && sight.number.size() <= vertices) sight.number.resize(vertices + vertices / 2 + 1);
+  }
   /// Room for a star beside the cavity just found, and for telling of both.
-  void prepare_star(int dimension, std::size_t slots, std::size_t vertices) {
+  void prepare_star(int dimension, std::size_t slots) {
     created.resize(boundary.size());
     removed.reserve(cavity.size());
-    if (dimension == 3 && edges.number.size() <= vertices) edges.number.resize(vertices + vertices / 2 + 1, 0);
     reserve_cells(dimension, slots + boundary.size());
   }
   std::size_t memory_bytes() const {
-    return hole.memory_bytes() + marks.capacity() + edges.number.capacity() * sizeof(std::uint16_t) +
-           planes.capacity() * sizeof(double) + fronts.capacity() * sizeof(Front) +
-           (cavity.capacity() + boundary.capacity()) * sizeof(FacetId) +
+    return hole.memory_bytes() + marks.capacity() + sight.memory_bytes() + planes.capacity() * sizeof(double) +
+           fronts.capacity() * sizeof(Front) + (cavity.capacity() + boundary.capacity()) * sizeof(FacetId) +
            (swallowed.capacity() + displaced.capacity()) * sizeof(VertexId) +
            (created.capacity() + removed.capacity()) * sizeof(CellId);
   }

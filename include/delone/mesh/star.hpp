@@ -56,31 +56,30 @@ void link_by_turning(ComplexView<K> complex, VertexId q, const Scratch& scratch)
   complex.set_incident(q, scratch.created.front());
 }
 
-/// 3D: every edge of the boundary is seen once in each direction; a table over the boundary's vertices, numbered as
-/// they come, holds the facet at each. False when they are too many for the table.
-inline bool link_by_edge_table(ComplexView<3> complex, VertexId q, Scratch& scratch) {
+/// 3D: every edge of the boundary is seen once in each direction; a table over the numbers that the search gave its
+/// vertices holds the facet at each.
+inline void fill_by_edge_table(ComplexView<3> complex, VertexId q, Scratch& scratch) {
   // Corners of the facet opposite each slot, in the order that makes a shared edge run in opposite directions.
   constexpr std::array<std::array<int, 3>, 4> kFacet{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
   auto& table = scratch.edges;
   const std::size_t count = scratch.created.size();
-  if (count > 2 * EdgeTable::kVertices - 4) return false;  // a sphere of v vertices has 2 v - 4 triangles
-  const CellId* const created = scratch.created.data();
+  CellId* const created = scratch.created.data();
   const FacetId* const boundary = scratch.boundary.data();
-  std::uint16_t* const numbers = table.number.data();
-  table.member.fill(q);  // is on no boundary
-  std::uint16_t members = 0;
   for (std::size_t b = 0; b < count; ++b) {
-    const CellId fresh = created[b];
-    const auto& corners = kFacet[static_cast<std::size_t>(complex.slot(boundary[b]))];
-    std::array<std::uint16_t, 3> number;
+    const CellId old = complex.cell(boundary[b]);
+    const int apex = complex.slot(boundary[b]);
+    const CellId fresh = complex.create();
+    created[b] = fresh;
+    complex.set_vertices(fresh, complex.vertices(old));
+    complex.set_vertex(fresh, apex, q);
+    complex.link(complex.facet(fresh, apex), complex.twin(boundary[b]));
+    complex.count_ghost(fresh);
+    const auto& corners = kFacet[static_cast<std::size_t>(apex)];
+    std::array<Index, 3> number;
     for (std::size_t i = 0; i < 3; ++i) {
-      const VertexId v = complex.vertex(fresh, corners[i]);
-      number[i] = numbers[static_cast<Index>(raw(v) + 1)];  // the ghost wraps round to 0
-      if (table.member[number[i]] != v) {                   // numbers of earlier stars are not cleared
-        numbers[static_cast<Index>(raw(v) + 1)] = number[i] = members;
-        table.member[members++] = v;
-        complex.set_incident(v, fresh);
-      }
+      const VertexId v = complex.vertex(old, corners[i]);
+      number[i] = scratch.sight.number_of(v);
+      complex.set_incident(v, fresh);
     }
     table.numbers[b] = number;
     table.facet[number[0]][number[1]] = complex.facet(fresh, corners[2]);
@@ -95,7 +94,6 @@ inline bool link_by_edge_table(ComplexView<3> complex, VertexId q, Scratch& scra
     complex.set_twin(created[b], corners[1], table.facet[number[0]][number[2]]);
   }
   complex.set_incident(q, created[0]);
-  return true;
 }
 
 }  // namespace star
@@ -103,6 +101,9 @@ inline bool link_by_edge_table(ComplexView<3> complex, VertexId q, Scratch& scra
 /// Replaces the cavity in `scratch` by the star of q.
 template <int K>
 void fill_cavity(ComplexView<K> complex, VertexId q, Scratch& scratch) {
+  if constexpr (K == 3) {  // a ball of c cells has at most 2 c + 2 facets
+    if (scratch.cavity.size() + 3 <= EdgeTable::kNumbers) return star::fill_by_edge_table(complex, q, scratch);
+  }
   for (std::size_t b = 0; b < scratch.boundary.size(); ++b) {
     const FacetId inside = scratch.boundary[b];
     const CellId fresh = complex.create();
@@ -112,9 +113,6 @@ void fill_cavity(ComplexView<K> complex, VertexId q, Scratch& scratch) {
     complex.count_ghost(fresh);
     complex.link(complex.facet(fresh, complex.slot(inside)), complex.twin(inside));
     if constexpr (K > 3) scratch.planes[raw(fresh) * Scratch::plane_size(K)] = std::numeric_limits<double>::quiet_NaN();
-  }
-  if constexpr (K == 3) {
-    if (star::link_by_edge_table(complex, q, scratch)) return;
   }
   star::link_by_turning(complex, q, scratch);
 }
