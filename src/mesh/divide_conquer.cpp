@@ -96,8 +96,8 @@ class Knitter {
     Half inner;  ///< the facet below the ghost, from the other side
     VertexId candidate = kGhost;
     VertexId beyond = kGhost;  ///< the corner that would be the candidate if the edge to this one went
-    Ray candidate_ray{};       ///< as the left end sees it
-    Ray beyond_ray{};
+    Ray<2> candidate_ray{};    ///< as the left end sees it
+    Ray<2> beyond_ray{};
     double turn = 0.0;  ///< from the right end to the candidate
   };
 
@@ -247,7 +247,7 @@ class Knitter {
 
   /// Whether q lies in the circle through the ends and the candidate of a bank.
   template <bool Left>
-  bool inside(VertexId left, VertexId right, const Bank<Left>& bank, VertexId q, const Ray& ray, double turn) {
+  bool inside(VertexId left, VertexId right, const Bank<Left>& bank, VertexId q, const Ray<2>& ray, double turn) {
     return kernel_.conflict_seen(base_, bank.candidate_ray, ray, bank.turn, bank.candidate_ray.turn(ray), turn, q, [&] {
       return Triangle{left, right, bank.candidate};
     });
@@ -272,7 +272,7 @@ class Knitter {
   FacetId* hull_;   ///< per hull vertex, of the ghost cell on the edge that leaves it counter-clockwise, the facet
                     ///< between it and the ghost; kNoFacet for a vertex alone
   CellId spare_{};  ///< two cells that the next merge may use
-  Ray base_{};      ///< the right end as the left one sees it
+  Ray<2> base_{};   ///< the right end as the left one sees it
   std::uint64_t cells_made_ = 0;
 };
 

@@ -256,18 +256,10 @@ class Kernel {
     }
     return conflict_from_coordinates(cell(), q);
   }
-  /// The error of a lifted determinant of rays of at most this size, which stands for S and for S + W. Infinite where
-  /// the determinant might overflow.
-  [[gnu::always_inline]] double bound_of_rays(double size) const {
-    if constexpr (K == 2) return conflict_bound_ * (3.0 * (size + 0x1p-900) * size) + 0x1p-1000;
-    const double s = size + 0x1p-300;
-    return (4 * 1.155 * (1 + 0x1p-40)) * conflict_bound_ * std::sqrt((s * s) * (s * s) * s) + 0x1p-447;
-  }
-
   /// The same of a cell with corner `seer`, from where the others are seen as a and b, and the query as q.
   template <class F>
-  [[gnu::always_inline]] bool conflict_seen(const Ray& a, const Ray& b, const Ray& q, double ab, double bq, double aq,
-                                            VertexId query, const F& cell) requires(K == 2) {
+  [[gnu::always_inline]] bool conflict_seen(const Ray<2>& a, const Ray<2>& b, const Ray<2>& q, double ab, double bq,
+                                            double aq, VertexId query, const F& cell) requires(K == 2) {
     const double value = b.lift * aq - a.lift * bq - q.lift * ab;
     if (std::abs(value) > bound_of_rays(std::max(std::max(a.size, b.size), q.size))) [[likely]] {
       ++stats_.conflict_filter;
@@ -278,13 +270,22 @@ class Kernel {
 
   /// orient() of a cell whose first corner sees the others as a and b, with this turn between them.
   template <class F>
-  [[gnu::always_inline]] int orient_seen(const Ray& a, const Ray& b, double turn, const F& cell) requires(K == 2) {
+  [[gnu::always_inline]] int orient_seen(const Ray<2>& a, const Ray<2>& b, double turn,
+                                         const F& cell) requires(K == 2) {
     // Of each product the size is at most half the sum of the squares of its factors.
     if (std::abs(turn) > 1.6 * filter::kU * (a.size + b.size) + 0x1p-1000) [[likely]] {
       ++stats_.orient_filter;
       return turn > 0.0 ? 1 : -1;
     }
     return orient(cell());
+  }
+
+  /// The error of a lifted determinant of rays of at most this size, which stands for S and for S + W. Infinite where
+  /// the determinant might overflow.
+  [[gnu::always_inline]] double bound_of_rays(double size) const {
+    if constexpr (K == 2) return conflict_bound_ * (3.0 * (size + 0x1p-900) * size) + 0x1p-1000;
+    const double s = size + 0x1p-300;
+    return (4 * 1.155 * (1 + 0x1p-40)) * conflict_bound_ * std::sqrt((s * s) * (s * s) * s) + 0x1p-447;
   }
 
   bool weighted() const { return weights_ != nullptr; }
