@@ -4,7 +4,7 @@
 
 #include "delone/base/stopwatch.hpp"
 #include "delone/geometry/affine.hpp"
-#include "mesh/incremental.hpp"
+#include "mesh/triangulate.hpp"
 
 namespace delone {
 AnyTriangulation triangulated(PointsView points, int threads, const Progress& progress) {

@@ -1,4 +1,4 @@
-// Source: [For92] 4.6 and [GS85] section 8 (two triangulations with a line between them are knit together from their
+// Source: [For92] 4.6 and [GS85] section 9 (two triangulations with a line between them are knit together from their
 // lower common tangent upwards); [Dwyer87] (cuts across alternating axes, so that parts stay square and seams short).
 // Departures: cells instead of edges, with ghost cells along the hull as everywhere here: a ghost cell of the seam
 // becomes the cell that is knit, an edge is deleted by a flip that makes two ghost cells, and a merge creates two

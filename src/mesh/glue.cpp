@@ -22,7 +22,7 @@
 #include "delone/base/dispatch.hpp"
 #include "delone/mesh/facet_table.hpp"
 #include "delone/mesh/walk.hpp"
-#include "mesh/incremental.hpp"
+#include "mesh/triangulate.hpp"
 
 namespace delone {
 namespace {

@@ -11,7 +11,7 @@
 #include "delone/base/errors.hpp"
 #include "delone/base/stopwatch.hpp"
 #include "mesh/glue.hpp"
-#include "mesh/incremental.hpp"
+#include "mesh/triangulate.hpp"
 
 namespace delone {
 namespace {

@@ -25,7 +25,7 @@
 #include "delone/mesh/facet_table.hpp"
 #include "delone/mesh/triangulation.hpp"
 #include "delone/mesh/walk.hpp"
-#include "mesh/incremental.hpp"
+#include "mesh/triangulate.hpp"
 
 namespace delone {
 

@@ -8,7 +8,7 @@
 
 #include "delone/build/build.hpp"
 #include "delone/mesh/export.hpp"
-#include "mesh/incremental.hpp"
+#include "mesh/triangulate.hpp"
 #include "support/expectations.hpp"
 #include "support/families.hpp"
 

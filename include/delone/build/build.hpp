@@ -8,7 +8,7 @@
 namespace delone {
 
 struct BuildOptions {
-  int threads = 1;  ///< share out the keys of the curve; cells are still inserted by one. Never changes the result
+  int threads = 1;         ///< share the work where points are many. Never changes the triangulation
   Progress progress = {};  ///< told of progress, may cancel
 };
 

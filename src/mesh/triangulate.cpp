@@ -1,0 +1,65 @@
+#include "mesh/triangulate.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "delone/base/stopwatch.hpp"
+#include "delone/geometry/affine.hpp"
+#include "delone/order/brio.hpp"
+#include "mesh/divide_conquer.hpp"
+#include "mesh/halves.hpp"
+#include "mesh/incremental.hpp"
+
+namespace delone {
+namespace {
+
+/// Moves `rows` to the front, which become the first simplex, and leaves the others in their order.
+void bring_to_front(std::vector<Index>& order, std::span<const Index> rows) {
+  auto kept = order.end();
+  for (auto i = order.end(); i != order.begin();) {
+    if (std::ranges::find(rows, *--i) == rows.end()) *--kept = *i;
+  }
+  std::ranges::copy(rows, order.begin());
+}
+
+}  // namespace
+
+Mesh triangulate_points(PointsView points, int threads, const Progress& progress) {
+  Stopwatch watch;
+  const AffineHull hull = affine_hull(points);
+  const std::span axes = std::span(hull.flat.axes).first(static_cast<std::size_t>(std::max(hull.flat.dimension, 0)));
+  const bool plane = axes.size() == 2 && !points.weighted();
+  if (!plane) {
+    if (auto mesh = triangulate_in_halves(points, axes, threads, progress)) return std::move(*mesh);
+  }
+  Mesh mesh(Sites(points.dimension(), points.weighted(), hull.flat));
+  if (plane) {
+    const CurveCuts cuts = curve_cuts(points, axes, threads);
+    mesh.sites.append(points, cuts.order, 0, threads);
+    mesh.statistics.order_seconds = watch.lap();
+    divide_and_conquer(mesh, {cuts.cut.data(), cuts.cut.size()}, threads, progress);
+  } else {
+    std::vector<Index> order = brio_order(points, axes, threads);
+    bring_to_front(order, std::span(hull.basis).first(points.empty() ? 0 : axes.size() + 1));
+    mesh.sites.append(points, order, 0, threads);
+    mesh.statistics.order_seconds = watch.lap();
+    insert_all(mesh, progress);
+  }
+  mesh.statistics.insert_seconds = watch.lap();
+  return mesh;
+}
+
+Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites, int threads) {
+  const auto d = static_cast<std::size_t>(all.dimension());
+  std::vector<double> coordinates(sites.size() * d);
+  std::vector<double> weights;
+  weights.reserve(all.weighted() ? sites.size() : 0);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    all.copy_point(sites[i], std::span(coordinates).subspan(i * d, d));
+    if (all.weighted()) weights.push_back(all.weight(sites[i]));
+  }
+  return triangulate_points(PointsView(coordinates, all.dimension(), weights), threads, {});
+}
+
+}  // namespace delone

@@ -1,0 +1,22 @@
+// Points in, a mesh out: the default method for each kind of input.
+//   in the plane, without weights   divide and conquer: the fastest there, and its parts need nothing of each other
+//   else                            insertion one by one along a curve; for several threads and many points by halves
+#pragma once
+
+#include <span>
+
+#include "delone/base/progress.hpp"
+#include "delone/geometry/points.hpp"
+#include "delone/mesh/triangulation.hpp"
+
+namespace delone {
+
+/// The triangulation of `points` in the flat that they span. It does not depend on the number of threads, but the
+/// numbers of its vertices and cells do.
+/// @throws Cancelled when `progress` says so; std::bad_alloc
+Mesh triangulate_points(PointsView points, int threads, const Progress& progress);
+
+/// The triangulation of some sites; row i of it is sites[i].
+Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites, int threads = 1);
+
+}  // namespace delone
