@@ -90,11 +90,12 @@ class KeyedRows {
   Buffer<std::uint64_t> words_, scratch_;
 };
 
-/// The cube that holds some rows; halved numbers, so that no extent overflows.
+/// The cube that holds some rows.
 template <int K>
 struct Cube {
   std::array<double, K> low;
   double extent = 0.0;
+  double scale = 1.0;  // of all numbers here: a half where the extent would overflow
 
   Cube(PointsView points, std::span<const int> axes, const KeyedRows& rows, std::size_t begin, std::size_t end) {
     std::array<double, K> high;
@@ -103,19 +104,25 @@ struct Cube {
     for (std::size_t i = begin; i < end; ++i) {
       const std::span<const double> point = points[rows.row(i)];
       for (std::size_t j = 0; j < K; ++j) {
-        const double x = point[static_cast<std::size_t>(axes[j])] * 0.5;
+        const double x = point[static_cast<std::size_t>(axes[j])];
         low[j] = std::min(low[j], x);
         high[j] = std::max(high[j], x);
       }
     }
-    for (std::size_t j = 0; j < K; ++j) extent = std::max(extent, high[j] - low[j]);
+    for (std::size_t j = 0; j < K; ++j) {
+      if (high[j] - low[j] == std::numeric_limits<double>::infinity()) scale = 0.5;
+    }
+    for (std::size_t j = 0; j < K; ++j) {
+      low[j] *= scale;
+      extent = std::max(extent, high[j] * scale - low[j]);
+    }
   }
 
   std::uint64_t distance(std::span<const double> point, std::span<const int> axes, int bits) const {
     std::array<std::uint32_t, K> cell;
     const auto cells = static_cast<double>(std::uint64_t{1} << bits);
     for (std::size_t j = 0; j < K; ++j) {
-      const double share = (point[static_cast<std::size_t>(axes[j])] * 0.5 - low[j]) / extent;  // 0 to 1
+      const double share = (point[static_cast<std::size_t>(axes[j])] * scale - low[j]) / extent;  // 0 to 1
       cell[j] = static_cast<std::uint32_t>(std::min(share * cells, cells - 1.0));
     }
     return HilbertCurve<K>::distance(cell, bits);

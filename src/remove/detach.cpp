@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "delone/base/dispatch.hpp"
+#include "mesh/incremental.hpp"
 #include "remove/remover.hpp"
 
 namespace delone {

@@ -144,6 +144,11 @@ TEST(CurveCuts, each_parts_the_rows_around_it_across_an_axis) {
   }
 }
 
+TEST(CurveCuts, the_smallest_numbers_beside_the_largest_are_parted) {
+  const PointSet points{"ends", 2, {0, 0, 5e-324, 0, 0, 5e-324, 1.7e308, 1.7e308, -1.7e308, 1}, {}};
+  EXPECT_TRUE(parts_everything(points.view(), curve_cuts(points.view(), all_axes(2)), 0, points.size()));
+}
+
 TEST(CurveCuts, threads_do_not_show) {
   const PointSet points = lattice(2, 300000, 1000, 1);
   const CurveCuts one = curve_cuts(points.view(), all_axes(2), 1);
