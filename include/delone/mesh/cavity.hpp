@@ -218,7 +218,7 @@ inline void find_cavity(ComplexView<3> complex, Kernel<3>& kernel, VertexId q, C
     double size;
     sight.rays.data()[number] = kernel.ray(v, eye, size);
     if (size > limit) [[unlikely]] {
-      limit = 16.0 * size;  // those to come are seldom larger
+      limit = 4.0 * size;  // most to come are not larger
       bound = kernel.bound_of_rays(limit);
     }
   };
@@ -259,7 +259,7 @@ inline void find_cavity(ComplexView<3> complex, Kernel<3>& kernel, VertexId q, C
         const RayMinors minors = i % 2 == 0 ? RayMinors(beyond, partner) : RayMinors(partner, beyond);
         const double value = minors.determinant(i < 2 ? second : first);
         conflicting = value > 0.0;
-        if (!(size <= limit && std::abs(value) > bound)) [[unlikely]]
+        if (!(std::abs(value) > (size <= limit ? bound : kernel.bound_of_rays(size)))) [[unlikely]]
           conflicting = in_conflict_from_coordinates(complex, kernel, scratch, across, q);
       } else {
         conflicting = in_conflict_from_coordinates(complex, kernel, scratch, across, q);
