@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include "delone/base/buffer.hpp"
 #include "delone/base/ids.hpp"
@@ -72,17 +71,22 @@ struct Scratch {
   Buffer<CellId> removed;      ///< the cells of the cavity, when somebody asked for them
   EdgeTable edges;
   Hole hole;
-  Buffer<double> planes;  ///< above 3D, per cell slot a Hyperplane; not yet known where it starts with NaN
+  Buffer<std::byte> planes;  ///< above 3D, per cell slot a Hyperplane; zero where it is not known
 
-  /// Doubles that the hyperplane of a cell of dimension k takes; none are kept where a test from coordinates is as
-  /// fast.
-  static constexpr std::size_t plane_size(int k) { return k <= 3 ? 0 : static_cast<std::size_t>(k) + 3; }
+  /// Of the hyperplane of a cell of dimension k; none are kept where a test from coordinates is as fast.
+  static constexpr std::size_t plane_size(int k) {
+    return k <= 3 ? 0 : (static_cast<std::size_t>(k) + (sizeof(VertexId) <= 4 ? 2 : 3)) * sizeof(double);
+  }
+  template <int K>
+  Hyperplane<K>& plane(CellId c) {
+    static_assert(sizeof(Hyperplane<K>) == plane_size(K));
+    return *reinterpret_cast<Hyperplane<K>*>(planes.data() + raw(c) * plane_size(K));
+  }
   /// Marks and hyperplanes for cells below `slots`.
   void reserve_cells(int k, std::size_t slots) {
     if (slots <= marks.size()) return;
     marks.reserve_more(slots - marks.size());
-    planes.reserve(marks.capacity() * plane_size(k));
-    planes.resize(marks.capacity() * plane_size(k), std::numeric_limits<double>::quiet_NaN());
+    planes.resize(marks.capacity() * plane_size(k), std::byte{0});
     marks.resize(marks.capacity(), Mark::none);
   }
   /// Room for a star beside the cavity just found, and for telling of both.
@@ -94,7 +98,7 @@ struct Scratch {
   }
   std::size_t memory_bytes() const {
     return hole.memory_bytes() + marks.capacity() + edges.number.capacity() * sizeof(std::uint16_t) +
-           planes.capacity() * sizeof(double) + fronts.capacity() * sizeof(Front) +
+           planes.capacity() + fronts.capacity() * sizeof(Front) +
            (cavity.capacity() + boundary.capacity()) * sizeof(FacetId) +
            (swallowed.capacity() + displaced.capacity()) * sizeof(VertexId) +
            (created.capacity() + removed.capacity()) * sizeof(CellId);

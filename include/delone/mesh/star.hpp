@@ -11,7 +11,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 
 #include "delone/mesh/scratch.hpp"
 #include "delone/topology/complex.hpp"
@@ -111,7 +110,6 @@ void fill_cavity(ComplexView<K> complex, VertexId q, Scratch& scratch) {
     complex.set_vertex(fresh, complex.slot(inside), q);
     complex.count_ghost(fresh);
     complex.link(complex.facet(fresh, complex.slot(inside)), complex.twin(inside));
-    if constexpr (K > 3) scratch.planes[raw(fresh) * Scratch::plane_size(K)] = std::numeric_limits<double>::quiet_NaN();
   }
   if constexpr (K == 3) {
     if (star::link_by_edge_table(complex, q, scratch)) return;
