@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -57,6 +58,25 @@ struct Front {
   double turn;  ///< from left to right
 };
 
+/// Above 3D: the facets of a new star by the ridges of the cavity's boundary, each of which two of them share.
+struct RidgeTable {
+  struct Entry {
+    std::uint32_t key;  ///< 0 where there is none
+    Index facets;       ///< the exclusive or of those met so far
+  };
+  Buffer<Entry> entries;        ///< a power of two
+  Buffer<std::uint32_t> place;  ///< of each facet's ridge, K in a row for each new cell
+
+  /// For as many facets; no more than half of the entries will be taken.
+  void reserve(std::size_t facets) {
+    entries.resize(std::bit_ceil(facets));
+    place.resize(facets);
+  }
+  std::size_t memory_bytes() const {
+    return entries.capacity() * sizeof(Entry) + place.capacity() * sizeof(std::uint32_t);
+  }
+};
+
 struct Scratch {
   // A type of its own, not a character type: a store of one may change no other number, and the compiler knows.
   enum class Mark : std::uint8_t { none, conflicting };
@@ -70,6 +90,7 @@ struct Scratch {
   Buffer<VertexId> displaced;  ///< hidden sites of cells that go, where they are known
   Buffer<CellId> removed;      ///< the cells of the cavity, when somebody asked for them
   EdgeTable edges;
+  RidgeTable ridges;
   Hole hole;
   Buffer<std::byte> planes;  ///< above 3D, per cell slot a Hyperplane; zero where it is not known
 
@@ -93,12 +114,13 @@ struct Scratch {
   void prepare_star(int dimension, std::size_t slots, std::size_t vertices) {
     created.resize(boundary.size());
     removed.reserve(cavity.size());
+    if (dimension > 3) ridges.reserve(boundary.size() * static_cast<std::size_t>(dimension));
     if (dimension == 3 && edges.number.size() <= vertices) edges.number.resize(vertices + vertices / 2 + 1, 0);
     reserve_cells(dimension, slots + boundary.size());
   }
   std::size_t memory_bytes() const {
     return hole.memory_bytes() + marks.capacity() + edges.number.capacity() * sizeof(std::uint16_t) +
-           planes.capacity() + fronts.capacity() * sizeof(Front) +
+           planes.capacity() + ridges.memory_bytes() + fronts.capacity() * sizeof(Front) +
            (cavity.capacity() + boundary.capacity()) * sizeof(FacetId) +
            (swallowed.capacity() + displaced.capacity()) * sizeof(VertexId) +
            (created.capacity() + removed.capacity()) * sizeof(CellId);
