@@ -72,37 +72,24 @@ class Reach {
     cells_.push_back(c);
     tested_[raw(c)] = true;
   }
-  bool reaches(CellId c) {
-    return complex_.is_ghost(c) ? beyond_facet(complex_.vertices(c)) : below_hyperplane(complex_.vertices(c));
-  }
-
-  /// Whether some corner of the box lies beyond the facet of a ghost cell, or on its hyperplane.
-  bool beyond_facet(const typename Kernel<K>::Cell& cell) {
-    for (unsigned corner = 0; corner < 1U << K; ++corner) {
-      std::array<double, K> x;
-      for (std::size_t j = 0; j < K; ++j) x[j] = (corner >> j & 1U) != 0 ? box_.high[j] : box_.low[j];
-      if (kernel_.orient(cell, K, x.data()) >= 0) return true;
-    }
-    return false;
-  }
-
   /// Whether normal . d + height * l <= 0 for some d in the box, as far as doubles can tell: a sum over the axes, each
   /// of which has its least value at one place. Coordinates beyond the leading ones only raise l.
-  bool below_hyperplane(const typename Kernel<K>::Cell& cell) const {
+  bool reaches(CellId c) const {
     constexpr double kRoundings = 0x1p-40;  // far more than the sums below round
-    const Hyperplane<K> plane = kernel_.hyperplane(cell);
-    const double height = plane.height - plane.height_error;
-    if (!(height > 0.0)) return true;
-    const double lighter = sites_->weight(cell[0]) - box_.heaviest;
-    double value = lighter * (lighter > 0.0 ? height : plane.height + plane.height_error);
+    const Hyperplane<K> plane = kernel_.hyperplane(complex_.vertices(c));
+    if (plane.tilt_error == 0.0) return true;  // nothing is known
+    const auto height = static_cast<double>(plane.height);
+    double value = height * (sites_->weight(plane.origin) - box_.heaviest);
     double size = std::abs(value);
     for (std::size_t j = 0; j < K; ++j) {
-      const double low = box_.low[j] - kernel_.at(cell[0])[j];
-      const double high = box_.high[j] - kernel_.at(cell[0])[j];
-      const double least = std::clamp(-plane.normal[j] / (2.0 * height), low, high);
+      const double normal = plane.normal[j];
+      const double low = box_.low[j] - kernel_.at(plane.origin)[j];
+      const double high = box_.high[j] - kernel_.at(plane.origin)[j];
+      const double downhill = normal > 0.0 ? low : high;
+      const double least = height > 0.0 ? std::clamp(-0.5 * normal, low, high) : downhill;
       const double farthest = std::max(std::abs(low), std::abs(high));
-      value += (plane.normal[j] + height * least) * least - plane.tilt_error * farthest;
-      size += (std::abs(plane.normal[j]) + height * farthest) * farthest;
+      value += (normal + height * least) * least - plane.tilt_error * farthest;
+      size += (std::abs(normal) + height * farthest) * farthest;
     }
     return !(value > kRoundings * size);
   }

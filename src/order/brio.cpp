@@ -180,8 +180,9 @@ std::vector<Index> order_in_rounds(PointsView points, std::span<const int> axes,
 }  // namespace
 
 std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int threads) {
+  const std::size_t few = axes.size() <= 3 ? 4096 : 64;  // above 3D one star costs as much as many walks
   int rounds = 0;
-  for (std::size_t n = points.size(); n > 4096; n /= 8) ++rounds;
+  for (std::size_t n = points.size(); n > few; n /= 8) ++rounds;
   return order_in_rounds(points, axes, rounds, threads);
 }
 

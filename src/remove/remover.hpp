@@ -109,7 +109,7 @@ class Remover {
   /// fill the same hole, and heights are convex across each facet as they are elsewhere, so everywhere.
   bool star_is_regular() {
     for (const CellId c : hole_->gone) {
-      if constexpr (K > 3) scratch_->planes[raw(c) * Scratch::plane_size(K)] = std::numeric_limits<double>::quiet_NaN();
+      if constexpr (K > 3) scratch_->plane<K>(c) = {};
       if (kernel_.orient(complex_.vertices(c)) <= 0) return false;
     }
     for (const CellId c : hole_->gone) {
@@ -561,7 +561,7 @@ class Remover {
       complex_.set_ids(c, ids.data() + n * kStride);
       complex_.settle(c);
       complex_.count_ghost(c);
-      if constexpr (K > 3) scratch_->planes[raw(c) * Scratch::plane_size(K)] = std::numeric_limits<double>::quiet_NaN();
+      if constexpr (K > 3) scratch_->plane<K>(c) = {};
     }
   }
 

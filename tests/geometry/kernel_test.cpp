@@ -262,13 +262,54 @@ void expect_filter_agrees(int trials) {
     const int sign = kernel.filtered_conflict(cell, q);
     ++(sign == Kernel<K>::kUnsure ? unsure : certain);
     ASSERT_TRUE(sign == Kernel<K>::kUnsure || sign == truth) << trial;
-    const int kept = kernel.filtered_conflict(kernel.hyperplane(cell), cell[0], q);
+    const int kept = kernel.filtered_conflict(kernel.hyperplane(cell), q);
     ASSERT_TRUE(kept == Kernel<K>::kUnsure || kept == truth) << trial;
     kept_unsure += kept == Kernel<K>::kUnsure ? 1 : 0;
   }
   EXPECT_GT(certain, static_cast<std::uint64_t>(trials / 20));
   EXPECT_GT(unsure, static_cast<std::uint64_t>(trials / 20));
   EXPECT_LT(kept_unsure, static_cast<std::uint64_t>(trials - trials / 20));  // it is of use
+}
+
+/// Of two cells on one facet and a point that destroys the first: the hyperplane of the new cell there, as seen by one
+/// point more.
+template <int K>
+void expect_new_hyperplane_agrees(int trials) {
+  Random random(K);
+  int certain = 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    const bool weighted = trial % 3 == 0;
+    const int exponent = scale(random) / 4;
+    const auto coordinates = near_lattice(random, (K + 4) * K, exponent);
+    const auto weights = weighted ? near_lattice(random, K + 4, 2 * exponent) : std::vector<double>();
+    const Sites sites = sites_of<K>(coordinates, weights);
+    const Kernel<K> kernel(sites);
+    auto inside = first_cell<K>();
+    const int orient = kernel.exact_orient(inside);
+    if (orient == 0) continue;
+    if (orient < 0) std::swap(inside[0], inside[1]);
+    const VertexId q{K + 2};
+    const VertexId seen{K + 3};
+    auto outside = inside;
+    auto fresh = inside;
+    outside[K] = trial % 4 == 0 ? kGhost : VertexId{K + 1};
+    std::swap(outside[0], outside[1]);
+    fresh[K] = q;
+    if (outside[K] != kGhost && kernel.exact_orient(outside) <= 0) continue;
+    if (kernel.exact_orient(fresh) <= 0 || kernel.slow_conflict_sign(inside, q).sign <= 0) continue;
+    if (outside[K] != kGhost && kernel.slow_conflict_sign(outside, q).sign >= 0) continue;
+    const auto plane = kernel.hyperplane(kernel.hyperplane(inside), kernel.hyperplane(outside), q);
+    const int sign = kernel.filtered_conflict(plane, seen);
+    ASSERT_TRUE(sign == Kernel<K>::kUnsure || sign == kernel.slow_conflict_sign(fresh, seen).sign) << trial;
+    certain += sign == Kernel<K>::kUnsure ? 0 : 1;
+  }
+  EXPECT_GT(certain, trials / 1000);
+}
+
+TEST(Filter, agrees_with_integers_from_the_hyperplanes_of_neighbours) {
+  expect_new_hyperplane_agrees<4>(40000);
+  expect_new_hyperplane_agrees<5>(40000);
+  expect_new_hyperplane_agrees<6>(40000);
 }
 
 /// The filters' signs of the last point against the cell of those before it, where they are certain.
@@ -282,7 +323,7 @@ void expect_no_contradiction(const Sites& sites) {
   const VertexId q{K + 1};
   const int truth = kernel.slow_conflict_sign(cell, q).sign;
   for (const int sign : {kernel.filtered_conflict(cell, q), kernel.conflict_sign_by_permanent(cell, q),
-                         kernel.filtered_conflict(kernel.hyperplane(cell), cell[0], q)}) {
+                         kernel.filtered_conflict(kernel.hyperplane(cell), q)}) {
     ASSERT_TRUE(sign == Kernel<K>::kUnsure || sign == truth);
   }
 }

@@ -18,5 +18,20 @@ inline Pair seconds(Pair a, Pair b) { return __builtin_shufflevector(a, b, 1, 3)
 /// (a[1], b[0]): of four lanes (a, b) turned left by one, the first two.
 inline Pair turned(Pair a, Pair b) { return __builtin_shufflevector(a, b, 1, 2); }
 inline Pair larger(Pair a, Pair b) { return a > b ? a : b; }
+inline Pair magnitude(Pair a) { return larger(a, -a); }
+inline double sum(Pair a) { return a[0] + a[1]; }
+inline double largest(Pair a) { return a[0] > a[1] ? a[0] : a[1]; }
+
+/// Pair number i of `Count` doubles; beside the last of an odd number stands a zero.
+template <int Count>
+inline Pair load_pair(const double* x, int i) {
+  if (2 * i + 1 == Count) return Pair{x[2 * i], 0.0};
+  return load_pair(x + 2 * i);
+}
+template <int Count>
+inline void store_pair(Pair p, double* x, int i) {
+  x[2 * i] = p[0];
+  if (2 * i + 1 != Count) x[2 * i + 1] = p[1];
+}
 
 }  // namespace delone

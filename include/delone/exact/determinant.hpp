@@ -73,7 +73,7 @@ template <int Rows, int Columns, bool Alternate, class T, class Entry>
 std::array<T, std::size_t{1} << Columns> minors(const Entry& entry) {
   static constexpr auto kTerms = terms<Rows, Columns>();
   std::array<T, std::size_t{1} << Columns> minor;
-  if constexpr (std::is_floating_point_v<T> ? kTerms.size() <= 200 : kTerms.size() <= 32) {  // straight-line code
+  if constexpr (std::is_floating_point_v<T> ? kTerms.size() <= 500 : kTerms.size() <= 32) {  // straight-line code
     [&]<std::size_t... I>(std::index_sequence<I...>) { (add_term<Alternate>(kTerms[I], minor, entry), ...); }
     (std::make_index_sequence<kTerms.size()>{});
   } else {

@@ -90,15 +90,16 @@ inline int exact_sign(double value) { return value > 0.0 ? 1 : (value < 0.0 ? -1
 
 }  // namespace filter
 
-/// The lifted hyperplane of a positive cell, seen from its first vertex v0: a point q at d = q - v0 of height l above
-/// v0 is in conflict when normal . d + height * l < 0. Kept per cell above dimension 3, where it turns a test from a
-/// determinant into a dot product (advice of [For92] 4.8).
+/// The lifted hyperplane of a positive cell, seen from one of its vertices, the origin: a point q at d = q - origin, of
+/// height l above it, is in conflict when normal . d + height * l < 0. The height is 1 in a finite cell; it is 0 in a
+/// ghost cell, whose hyperplane is vertical. Kept per cell above dimension 3, where it turns a test from a determinant
+/// into a dot product (advice of [For92] 4.8).
 template <int K>
 struct Hyperplane {
   std::array<double, K> normal;
-  double height;
-  double tilt_error;    ///< times the sum of |d_j|, plus
-  double height_error;  ///< times the size of l: bounds the rounding error of the sum
+  double tilt_error;  ///< times the sum of |d_j|: bounds the error, but for that of l; 0 when nothing is known yet
+  VertexId origin;
+  float height;
 };
 
 /// A site as another one sees it.
@@ -160,6 +161,7 @@ struct Eye<3> {
 template <int K>
 class Kernel {
   static constexpr std::size_t kCoordinates = K;
+  static constexpr int kPairs = (K + 1) / 2;
 
  public:
   using Cell = std::array<VertexId, K + 1>;
@@ -216,11 +218,21 @@ class Kernel {
   /// Whether the lifted q lies below the hyperplane of a finite, positively oriented cell; ties are broken.
   [[gnu::always_inline]] bool conflict(const Cell& cell, VertexId q) { return decide(estimate(cell, q), cell, q); }
 
-  /// The same from the cell's hyperplane.
-  [[gnu::always_inline]] bool conflict(const Hyperplane<K>& plane, const Cell& cell, VertexId q) {
-    return decide(estimate(plane, cell[0], q), cell, q);
+  /// Whether inserting q destroys a cell, finite or ghost, from its hyperplane; where that leaves it open, in_doubt().
+  template <class F>
+  [[gnu::always_inline]] bool conflict(const Hyperplane<K>& plane, VertexId q, const F& in_doubt) {
+    const Sight s = sight(plane, q);
+    if (std::abs(s.value) > s.bound) [[likely]] {
+      ++stats_.conflict_filter;
+      return s.value < 0.0;
+    }
+    return in_doubt();
   }
+  [[gnu::noinline]] bool conflict_in_doubt(const Cell& cell, VertexId q) { return decide_slowly({}, cell, q); }
+  /// From the coordinates of a cell, finite or ghost; unknown where doubles do not tell it.
   Hyperplane<K> hyperplane(const Cell& cell) const;
+  /// The same for the new cell on the facet between one that q destroys and one that stays, from their hyperplanes.
+  Hyperplane<K> hyperplane(const Hyperplane<K>& inside, const Hyperplane<K>& outside, VertexId q) const;
 
   /// v as `from` sees it.
   [[gnu::always_inline]] Ray<2> ray(VertexId v, VertexId from) const requires(K == 2) {
@@ -315,8 +327,9 @@ class Kernel {
   int filtered_orient(const Points& v) const;
   int filtered_orient(const Cell& v) const { return filtered_orient(at(v)); }
   int filtered_conflict(const Cell& cell, VertexId q) const { return sign(estimate(cell, q)); }
-  int filtered_conflict(const Hyperplane<K>& plane, VertexId origin, VertexId q) const {
-    return sign(estimate(plane, origin, q));
+  int filtered_conflict(const Hyperplane<K>& plane, VertexId q) const {
+    const Sight s = sight(plane, q);
+    return filter::sign_beyond(-s.value, s.bound);
   }
   int conflict_sign_by_permanent(const Cell& cell, VertexId q) const { return sign(estimate_by_permanent(cell, q)); }
   [[gnu::noinline]] int exact_orient(const Points& v) const { return slow_orient<K>(v).sign; }
@@ -338,11 +351,11 @@ class Kernel {
   /// The lifted determinant, positive when q is in conflict, or what has its sign. Sure when its error is smaller; free
   /// of any error when `size` lies below conflict_exact_below_ (see there).
   struct Estimate {
-    double value, size;
-    bool sure;
+    double value = 0.0;
+    double size = std::numeric_limits<double>::infinity();
+    bool sure = false;
   };
   Estimate estimate(const Cell& cell, VertexId q) const;
-  Estimate estimate(const Hyperplane<K>& plane, VertexId origin, VertexId q) const;
   /// With a bound from the sizes of all terms: where a cell is long and thin, it is much smaller than one from lengths.
   Estimate estimate_by_permanent(const Cell& cell, VertexId q) const;
 
@@ -361,6 +374,13 @@ class Kernel {
   [[gnu::noinline]] bool conflict_from_coordinates(const Cell& cell, VertexId q) { return conflict(cell, q); }
   /// q lies exactly on the cell's lifted hyperplane.
   bool tie(const Cell& cell, VertexId q);
+
+  /// A site seen from a hyperplane: how far above it, and a bound on the error of that.
+  struct Sight {
+    std::array<Pair, kPairs> difference;  ///< to the origin
+    double value, bound;
+  };
+  Sight sight(const Hyperplane<K>& plane, VertexId q) const;
 
   struct Lift {
     double value, size;
@@ -600,17 +620,51 @@ template <int K>
   return lift;
 }
 
-// Errors, all relative to K! times the product of the columns' maxima, column j left out for the minor j: an entry of
-// the K rows carries one rounding, a lift at most K + 8 + 4; a minor of k rows adds k of them to those of k - 1 rows.
-// The sum of K + 1 products adds K + 2, the differences and the lift of q again as many as those of a row.
+// Products of a normal with d round K + 3 times, with the difference and the last sum; l rounds twice in each
+// difference, then at most K + 8 + 4 times.
+template <int K>
+[[gnu::always_inline]] inline typename Kernel<K>::Sight Kernel<K>::sight(const Hyperplane<K>& plane, VertexId q) const {
+  constexpr double kLiftBound = 1.01 * filter::kU * (2 + K + kMaxDimension + 4);
+  const double* a = at(plane.origin);
+  const double* b = at(q);
+  Sight s;
+  Pair values{};
+  Pair lengths{};
+  Pair squares{};
+  for (int i = 0; i < kPairs; ++i) {
+    const Pair d = load_pair<K>(b, i) - load_pair<K>(a, i);
+    s.difference[static_cast<std::size_t>(i)] = d;
+    values += load_pair<K>(plane.normal.data(), i) * d;
+    lengths += magnitude(d);
+    squares += d * d;
+  }
+  double lift = sum(squares);
+  double size = lift;
+  if (!plain_) [[unlikely]] {
+    const Lift extra = extra_lift(q, plane.origin);
+    lift += extra.value;
+    size += extra.size;
+  }
+  const double height = static_cast<double>(plane.height);
+  s.value = sum(values) + height * lift;
+  s.bound = plane.tilt_error * sum(lengths) + kLiftBound * height * size;
+  if (!(size > 0x1p-180 && size < 0x1p190)) s.bound = std::numeric_limits<double>::infinity();
+  return s;
+}
+
+// Errors of minors, all relative to K! times the product of the columns' maxima, column j left out for the minor j: an
+// entry of the K rows carries one rounding, a lift at most K + 8 + 4; a minor of k rows adds k of them to those of
+// k - 1 rows. The row of a ghost is the direction of heights, so that only column K of it counts. What is then divided
+// by the height h or, in a ghost cell, by the largest of the normal n is off by (error of n + |n / h| error of h) /
+// |h|.
 template <int K>
 Hyperplane<K> Kernel<K>::hyperplane(const Cell& cell) const {
-  constexpr int kLiftRoundings = K + kMaxDimension + 4;
-  constexpr double kBound = 1.01 * filter::kU * (0.5 * K * (K + 1) + K + kLiftRoundings + K + 3 + kLiftRoundings);
+  constexpr double kBound = 1.01 * filter::kU * (0.5 * K * (K + 1) + K + K + kMaxDimension + 4 + 2);
+  const bool ghost = cell[K] == kGhost;
   const double* origin = at(cell[0]);
   std::array<std::array<double, K + 1>, K> rows;
   std::array<double, K + 1> maxima{};
-  for (std::size_t i = 0; i < kCoordinates; ++i) {
+  for (std::size_t i = 0; i < kCoordinates - (ghost ? 1 : 0); ++i) {
     const double* p = at(cell[i + 1]);
     double lift = 0.0;
     for (std::size_t j = 0; j < kCoordinates; ++j) {
@@ -625,50 +679,93 @@ Hyperplane<K> Kernel<K>::hyperplane(const Cell& cell) const {
       lift += extra.value;
       size += extra.size;
     }
-    rows[i][K] = lift;
-    maxima[K] = std::max(maxima[K], size);
+    rows[i][K] = ghost ? 0.0 : lift;
+    maxima[K] = std::max(maxima[K], ghost ? 1.0 : size);
+  }
+  if (ghost) {
+    rows[K - 1].fill(0.0);
+    rows[K - 1][K] = 1.0;
   }
   const auto minors = minors_without_column<K>(rows);
-  Hyperplane<K> plane;
-  for (std::size_t j = 0; j < kCoordinates; ++j) plane.normal[j] = (kCoordinates - j) % 2 == 0 ? minors[j] : -minors[j];
-  plane.height = minors[K];
   double flattest = maxima[0];
   double product = kBound;
+  double largest = 0.0;
   bool safe = tame_;
   for (std::size_t j = 0; j < kCoordinates; ++j) {
     flattest = std::min(flattest, maxima[j]);
     product *= maxima[j] * static_cast<double>(j + 1);
     safe = safe && maxima[j] > 0x1p-60 && maxima[j] < 0x1p60;
+    largest = std::max(largest, std::abs(minors[j]));
   }
-  safe = safe && maxima[K] < 0x1p121;
-  plane.height_error = safe ? product : std::numeric_limits<double>::infinity();
-  plane.tilt_error = safe ? product / flattest * maxima[K] : 0.0;
+  const double tilt_error = product / flattest * maxima[K];
+  const double scale = ghost ? largest : minors[K];
+  const double scale_error = ghost ? tilt_error : product;
+  Hyperplane<K> plane{};
+  if (!(safe && maxima[K] < 0x1p121 && scale > 4.0 * scale_error)) return plane;
+  for (std::size_t j = 0; j < kCoordinates; ++j) {
+    plane.normal[j] = ((kCoordinates - j) % 2 == 0 ? minors[j] : -minors[j]) / scale;
+  }
+  largest /= scale;
+  plane.tilt_error =
+      1.01 * ((tilt_error + largest * scale_error) / (scale - scale_error) + (K + 4) * filter::kU * largest);
+  plane.origin = cell[0];
+  plane.height = ghost ? 0.0F : 1.0F;
   return plane;
 }
 
+// All hyperplanes through the facet that two cells share are sums of theirs, and the one that holds q, too, is
+// G = a I + b O, where q lies a above the outer one O and b below the inner one I. Moved to the origin q, which lies s
+// from the old one, a normal n becomes n + 2 height s, and what lies on G at q is 0. Scaled to height 1 again, G is
+// divided by w = a i + b o, where i and o are the heights; when both are vertical, i = o = 1 does here as well.
+//
+// Errors: with a off by A, b by B, and true normals n_I and n_O,
+//   (true w) (error of n) = a (error of n_I) + b (error of n_O) + A (n_I - i n) + B (n_O - o n)
+// and n_I - i n = (b / w) x, n_O - o n = -(a / w) x, x = o n_I - i n_O. Here x has errors, too: A and B times those of
+// n_I and n_O come on top. What is then rounded: a / w and b / w 5 times, products with n_I and 2 i s and sums of these
+// 4 times at most.
 template <int K>
-[[gnu::always_inline]] inline typename Kernel<K>::Estimate Kernel<K>::estimate(const Hyperplane<K>& plane,
-                                                                               VertexId origin, VertexId q) const {
-  const double* a = at(origin);
-  const double* b = at(q);
-  double value = 0.0;
-  double length = 0.0;
-  double lift = 0.0;
-  for (std::size_t j = 0; j < kCoordinates; ++j) {
-    const double d = b[j] - a[j];
-    value += plane.normal[j] * d;
-    length += std::abs(d);
-    lift += d * d;
+Hyperplane<K> Kernel<K>::hyperplane(const Hyperplane<K>& inside, const Hyperplane<K>& outside, VertexId q) const {
+  Hyperplane<K> plane{};
+  if (other_count_ != 0 || inside.tilt_error == 0.0 || outside.tilt_error == 0.0) return plane;
+  const Sight in = sight(inside, q);
+  const Sight out = sight(outside, q);
+  const bool vertical = inside.height + outside.height == 0.0F;
+  const double i = vertical ? 1.0 : static_cast<double>(inside.height);
+  const double o = vertical ? 1.0 : static_cast<double>(outside.height);
+  const double w = out.value * i - in.value * o;
+  if (!(0x1p-6 * w > out.bound * i + in.bound * o && w > 0x1p-300)) return plane;
+  const double part = 1.0 / w;
+  const double a = out.value * part;
+  const double b = -in.value * part;
+  const double a_size = std::abs(a);
+  const double b_size = std::abs(b);
+  const double in_shift = vertical ? 0.0 : 2.0 * i;
+  const double out_shift = vertical ? 0.0 : 2.0 * o;
+  Pair turn{};
+  Pair terms{};
+  Pair normal{};
+  for (int j = 0; j < kPairs; ++j) {
+    const Pair n_in = load_pair<K>(inside.normal.data(), j);
+    const Pair n_out = load_pair<K>(outside.normal.data(), j);
+    const Pair s_in = in_shift * in.difference[static_cast<std::size_t>(j)];
+    const Pair s_out = out_shift * out.difference[static_cast<std::size_t>(j)];
+    const Pair n = a * (n_in + s_in) + b * (n_out + s_out);
+    store_pair<K>(n, plane.normal.data(), j);
+    turn = larger(turn, magnitude(o * (n_in + s_in) - i * (n_out + s_out)));
+    terms =
+        larger(terms, a_size * (magnitude(n_in) + magnitude(s_in)) + b_size * (magnitude(n_out) + magnitude(s_out)));
+    normal = larger(normal, magnitude(n));
   }
-  double size = lift;
-  if (!plain_) [[unlikely]] {
-    const Lift extra = extra_lift(q, origin);
-    lift += extra.value;
-    size += extra.size;
-  }
-  value = -(value + plane.height * lift);
-  const double bound = plane.tilt_error * length + plane.height_error * size;
-  return {value, std::numeric_limits<double>::infinity(), size > 0x1p-180 && size < 0x1p190 && std::abs(value) > bound};
+  const double size = largest(terms);
+  if (!(size > 0x1p-200 && size < 0x1p200)) return plane;
+  const double a_error = out.bound * part;
+  const double b_error = in.bound * part;
+  const double inherited = (a_size + a_error) * inside.tilt_error + (b_size + b_error) * outside.tilt_error;
+  const double tilt = (a_error * b_size + b_error * a_size) * largest(turn);
+  plane.tilt_error = 1.05 * (inherited + tilt + 10 * filter::kU * size) + 1.01 * (K + 4) * filter::kU * largest(normal);
+  plane.origin = q;
+  plane.height = vertical ? 0.0F : 1.0F;
+  return plane;
 }
 
 // Each test is that of conflict() with a as the common vertex, so with its bound; what belongs to one corner is

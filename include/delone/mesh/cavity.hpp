@@ -3,37 +3,14 @@
 // it. Cost: O(K * cells in it and around it); no allocation after warm-up.
 #pragma once
 
-#include <cmath>
+#include <array>
 #include <cstddef>
-#include <cstring>
 
 #include "delone/geometry/kernel.hpp"
 #include "delone/mesh/scratch.hpp"
 #include "delone/topology/complex.hpp"
 
 namespace delone {
-
-/// Whether the lifted q lies below the hyperplane of finite cell c, which is kept for the next test above dimension 3.
-template <int K>
-[[gnu::always_inline]] inline bool below_hyperplane(const ComplexView<K>& complex, Kernel<K>& kernel, Scratch& scratch,
-                                                    CellId c, VertexId q) {
-  const auto v = complex.vertices(c);
-  if constexpr (K <= 3) {
-    return kernel.conflict(v, q);
-  } else {
-    constexpr std::size_t kSize = Scratch::plane_size(K);
-    static_assert(sizeof(Hyperplane<K>) == kSize * sizeof(double));
-    double* kept = scratch.planes.data() + raw(c) * kSize;
-    Hyperplane<K> plane;
-    if (std::isnan(*kept)) {
-      plane = kernel.hyperplane(v);
-      std::memcpy(kept, &plane, sizeof plane);
-    } else {
-      std::memcpy(&plane, kept, sizeof plane);
-    }
-    return kernel.conflict(plane, v, q);
-  }
-}
 
 /// Whether inserting q destroys ghost cell c: when q lies beyond its facet; on the facet's hyperplane the finite cell
 /// behind decides, so that no special case is left on the hull.
@@ -57,14 +34,45 @@ template <int K, class Below>
   return below(c);
 }
 
-/// The same with the hyperplanes that `scratch` keeps.
+template <int K>
+bool in_conflict(const ComplexView<K>& complex, Kernel<K>& kernel, Scratch& scratch, CellId c, VertexId q);
+
+/// The same where the hyperplane that `scratch` keeps does not tell: it is computed from coordinates, and kept for the
+/// next test.
+template <int K>
+[[gnu::noinline]] bool in_conflict_in_doubt(const ComplexView<K>& complex, Kernel<K>& kernel, Scratch& scratch,
+                                            CellId c, VertexId q) {
+  const auto v = complex.vertices(c);
+  const Hyperplane<K> plane = kernel.hyperplane(v);
+  if (plane.tilt_error != 0.0) scratch.plane<K>(c) = plane;
+  return kernel.conflict(plane, q, [&] {
+    if (!complex.is_ghost(c)) return kernel.conflict_in_doubt(v, q);
+    return beyond_facet(complex, kernel, c, q, [&](CellId f) { return in_conflict(complex, kernel, scratch, f, q); });
+  });
+}
+
+/// The same; above dimension 3 with the hyperplanes that `scratch` keeps.
 template <int K>
 [[gnu::always_inline]] inline bool in_conflict(const ComplexView<K>& complex, Kernel<K>& kernel, Scratch& scratch,
                                                CellId c, VertexId q) {
-  const auto below = [&](CellId f) __attribute__((always_inline)) {
-    return below_hyperplane(complex, kernel, scratch, f, q);
-  };
-  return in_conflict(complex, kernel, c, q, below);
+  if constexpr (K <= 3) {
+    const auto below = [&](CellId f) __attribute__((always_inline)) { return kernel.conflict(complex.vertices(f), q); };
+    return in_conflict(complex, kernel, c, q, below);
+  } else {
+    return kernel.conflict(scratch.plane<K>(c), q,
+                           [&] { return in_conflict_in_doubt(complex, kernel, scratch, c, q); });
+  }
+}
+
+/// Keeps the hyperplanes of the star of q just made, whose cavity is still there.
+template <int K>
+void keep_hyperplanes(const ComplexView<K>& complex, const Kernel<K>& kernel, VertexId q, Scratch& scratch) {
+  for (std::size_t b = 0; b < scratch.boundary.size(); ++b) {
+    const FacetId inside = scratch.boundary[b];
+    const CellId fresh = scratch.created[b];
+    const CellId outside = complex.cell(complex.twin(fresh, complex.slot(inside)));
+    scratch.plane<K>(fresh) = kernel.hyperplane(scratch.plane<K>(complex.cell(inside)), scratch.plane<K>(outside), q);
+  }
 }
 
 /// Asks memory for what tests of the neighbours of c will read.
@@ -73,7 +81,10 @@ template <int K>
   for (int i = 0; i <= K; ++i) {
     const CellId across = complex.cell(complex.twin(c, i));
     complex.prefetch(across);
-    if constexpr (K > 3) __builtin_prefetch(scratch.planes.data() + raw(across) * Scratch::plane_size(K));
+    if constexpr (K > 3) {
+      __builtin_prefetch(scratch.marks.data() + raw(across));
+      __builtin_prefetch(scratch.planes.data() + raw(across) * Scratch::plane_size(K));
+    }
   }
 }
 
@@ -109,6 +120,40 @@ void find_cavity(ComplexView<K> complex, Kernel<K>& kernel, VertexId q, CellId s
       marks[raw(across)] = static_cast<Scratch::Mark>(conflicting);
       cavity.push_if(conflicting, outside);
       boundary.push_if(!conflicting, complex.facet(c, slot));
+    }
+  }
+}
+
+/// The same above 3D. A cell's neighbours that are not yet known to be in conflict, as often some as others, are listed
+/// first; the one that the search came from is known.
+template <int K>
+requires(K > 3) void find_cavity(ComplexView<K> complex, Kernel<K>& kernel, VertexId q, CellId start,
+                                 Scratch& scratch) {
+  Refill cavity(scratch.cavity);
+  Refill boundary(scratch.boundary);
+  Scratch::Mark* const marks = scratch.marks.data();
+  cavity.make_room(1);
+  cavity.push(complex.facet(start, 0));
+  marks[raw(start)] = Scratch::Mark::conflicting;
+  for (std::size_t next = 0; next < cavity.size(); ++next) {
+    cavity.make_room(K + 1);
+    boundary.make_room(K + 1);
+    if (next + 2 < cavity.size()) fetch_neighbours(complex, scratch, complex.cell(cavity[next + 2]));
+    const CellId c = complex.cell(cavity[next]);
+    std::array<FacetId, K + 1> inside;
+    std::array<FacetId, K + 1> outside;
+    std::size_t count = 0;
+    for (int i = 0; i <= K; ++i) {
+      inside[count] = complex.facet(c, i);
+      outside[count] = complex.twin(c, i);
+      count += marks[raw(complex.cell(outside[count]))] == Scratch::Mark::conflicting ? 0 : 1;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const CellId across = complex.cell(outside[i]);
+      const bool conflicting = in_conflict(complex, kernel, scratch, across, q);
+      marks[raw(across)] = static_cast<Scratch::Mark>(conflicting);
+      cavity.push_if(conflicting, outside[i]);
+      boundary.push_if(!conflicting, inside[i]);
     }
   }
 }

@@ -93,6 +93,7 @@ class Inserter {
     }
     if (mesh_->hidden.kept()) displace_hidden();  // from here on nothing fails
     fill_cavity(complex_, q, *scratch_);
+    if constexpr (K > 3) keep_hyperplanes(complex_, kernel_, q, *scratch_);
     came_ = q;
     ++mesh_->vertex_count;
     if (mesh_->sites.weighted()) hide_swallowed_vertices();

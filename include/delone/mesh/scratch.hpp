@@ -2,9 +2,9 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include "delone/base/buffer.hpp"
 #include "delone/base/ids.hpp"
@@ -67,6 +67,25 @@ struct Front {
   double turn;  ///< from left to right
 };
 
+/// Above 3D: the facets of a new star by the ridges of the cavity's boundary, each of which two of them share.
+struct RidgeTable {
+  struct Entry {
+    std::uint32_t key;  ///< 0 where there is none
+    Index facets;       ///< the exclusive or of those met so far
+  };
+  Buffer<Entry> entries;        ///< a power of two
+  Buffer<std::uint32_t> place;  ///< of each facet's ridge, K in a row for each new cell
+
+  /// For as many facets; no more than half of the entries will be taken.
+  void reserve(std::size_t facets) {
+    entries.resize(std::bit_ceil(facets));
+    place.resize(facets);
+  }
+  std::size_t memory_bytes() const {
+    return entries.capacity() * sizeof(Entry) + place.capacity() * sizeof(std::uint32_t);
+  }
+};
+
 struct Scratch {
   // A type of its own, not a character type: a store of one may change no other number, and the compiler knows.
   enum class Mark : std::uint8_t { none, conflicting };
@@ -81,18 +100,24 @@ struct Scratch {
   Buffer<CellId> removed;      ///< the cells of the cavity, when somebody asked for them
   Sight sight;
   EdgeTable edges;
+  RidgeTable ridges;
   Hole hole;
-  Buffer<double> planes;  ///< above 3D, per cell slot a Hyperplane; not yet known where it starts with NaN
+  Buffer<std::byte> planes;  ///< above 3D, per cell slot a Hyperplane; zero where it is not known
 
-  /// Doubles that the hyperplane of a cell of dimension k takes; none are kept where a test from coordinates is as
-  /// fast.
-  static constexpr std::size_t plane_size(int k) { return k <= 3 ? 0 : static_cast<std::size_t>(k) + 3; }
+  /// Of the hyperplane of a cell of dimension k; none are kept where a test from coordinates is as fast.
+  static constexpr std::size_t plane_size(int k) {
+    return k <= 3 ? 0 : (static_cast<std::size_t>(k) + (sizeof(VertexId) <= 4 ? 2 : 3)) * sizeof(double);
+  }
+  template <int K>
+  Hyperplane<K>& plane(CellId c) {
+    static_assert(sizeof(Hyperplane<K>) == plane_size(K));
+    return *reinterpret_cast<Hyperplane<K>*>(planes.data() + raw(c) * plane_size(K));
+  }
   /// Marks and hyperplanes for cells below `slots`.
   void reserve_cells(int k, std::size_t slots) {
     if (slots <= marks.size()) return;
     marks.reserve_more(slots - marks.size());
-    planes.reserve(marks.capacity() * plane_size(k));
-    planes.resize(marks.capacity() * plane_size(k), std::numeric_limits<double>::quiet_NaN());
+    planes.resize(marks.capacity() * plane_size(k), std::byte{0});
     marks.resize(marks.capacity(), Mark::none);
   }
   /// For searches among vertices below `vertices`.
@@ -103,10 +128,11 @@ struct Scratch {
   void prepare_star(int dimension, std::size_t slots) {
     created.resize(boundary.size());
     removed.reserve(cavity.size());
+    if (dimension > 3) ridges.reserve(boundary.size() * static_cast<std::size_t>(dimension));
     reserve_cells(dimension, slots + boundary.size());
   }
   std::size_t memory_bytes() const {
-    return hole.memory_bytes() + marks.capacity() + sight.memory_bytes() + planes.capacity() * sizeof(double) +
+    return hole.memory_bytes() + marks.capacity() + sight.memory_bytes() + planes.capacity() + ridges.memory_bytes() +
            fronts.capacity() * sizeof(Front) + (cavity.capacity() + boundary.capacity()) * sizeof(FacetId) +
            (swallowed.capacity() + displaced.capacity()) * sizeof(VertexId) +
            (created.capacity() + removed.capacity()) * sizeof(CellId);
