@@ -276,7 +276,7 @@ class Knitter {
   std::uint64_t cells_made_ = 0;
 };
 
-constexpr std::size_t kPiece = 1 << 14;  ///< sites that one thread triangulates by itself
+constexpr std::size_t kPiece = 1 << 13;  ///< sites that one thread triangulates by itself
 
 /// Merges parts that come one after the other in the order of the curve, each with the cut before it: of two cuts the
 /// deeper one is mended first.
