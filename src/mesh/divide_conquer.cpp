@@ -91,14 +91,15 @@ class Knitter {
     static constexpr int kGhostEnd = Left ? 2 : 1;
 
     VertexId end;
-    bool alone;  ///< `end` is the whole part: there is no ghost cell
-    Half open;   ///< of that ghost cell the facet opposite the candidate
-    Half inner;  ///< the facet below the ghost, from the other side
-    VertexId candidate = kGhost;
-    VertexId beyond = kGhost;  ///< the corner that would be the candidate if the edge to this one went
-    Ray<2> candidate_ray{};    ///< as the left end sees it
-    Ray<2> beyond_ray{};
-    double turn = 0.0;  ///< from the right end to the candidate
+    bool alone;                        ///< `end` is the whole part: there is no ghost cell
+    Half open;                         ///< of that ghost cell the facet opposite the candidate
+    Half inner;                        ///< the facet below the ghost, from the other side
+    VertexId candidate;                ///< this and what follows is known once look() and see() were called
+    VertexId beyond;                   ///< the corner that would be the candidate if the edge to this one went
+    Ray<2> candidate_ray, beyond_ray;  ///< as the left end sees them
+    double turn;                       ///< from the right end to the candidate
+
+    Bank(VertexId v, FacetId hull) : end(v), alone(hull == kNoFacet), open(hull), inner(hull) {}
   };
 
   double x(VertexId v) const { return kernel_.at(v)[0]; }
@@ -132,10 +133,8 @@ class Knitter {
 
   /// Knits two parts, from vertices that face each other across the line between them.
   void knit(VertexId left_start, VertexId right_start) {
-    const FacetId left_hull = hull_[raw(left_start)];
-    const FacetId right_hull = hull_[raw(right_start)];
-    Bank<true> left{left_start, left_hull == kNoFacet, Half(left_hull), Half(left_hull)};
-    Bank<false> right{right_start, right_hull == kNoFacet, Half(right_hull), Half(right_hull)};
+    Bank<true> left(left_start, hull_[raw(left_start)]);
+    Bank<false> right(right_start, hull_[raw(right_start)]);
     if (!right.alone) right.open = Half(twin(right.open));
     while (descend(left, left.end, right.end) || descend(right, left.end, right.end)) {
     }
