@@ -16,8 +16,8 @@
 namespace delone {
 namespace {
 
-constexpr std::size_t kFew = 1 << 16;     ///< fewer points are not cut in halves
-constexpr std::size_t kSample = 1 << 12;  ///< of the points, to find where and whether to cut
+constexpr std::size_t kFew = 1 << 14;     ///< fewer points are not cut in halves
+constexpr std::size_t kSample = 1 << 11;  ///< of the points, to find where and whether to cut
 
 /// Some of the rows of a table, ascending.
 struct Rows {
@@ -92,7 +92,7 @@ bool has_short_border(PointsView sample, std::size_t points, const Cut& cut, std
 }  // namespace
 
 std::optional<Mesh> triangulate_in_halves(PointsView points, std::span<const int> axes, int threads,
-                                          const Progress& progress) {
+                                          const Progress& progress, std::size_t room) {
   if (threads < 2 || points.size() < kFew || axes.size() < 2) return std::nullopt;
   Stopwatch watch;
   const std::size_t step = points.size() / kSample;
@@ -101,9 +101,9 @@ std::optional<Mesh> triangulate_in_halves(PointsView points, std::span<const int
   if (!has_short_border(sample.view(), points.size(), cut, axes)) return std::nullopt;
 
   std::atomic<bool> stopped = false;
-  const auto half = [&](bool upper, int share, const Progress& tell) {
+  const auto half = [&](bool upper, int share, const Progress& tell, std::size_t whole) {
     const Rows rows = cut.half(points, upper);
-    std::optional<Mesh> mesh = triangulate_points(rows.view(), share, tell);
+    std::optional<Mesh> mesh = triangulate_points(rows.view(), share, tell, whole);
     mesh->rename_rows(rows.names, points.size());
     return mesh;
   };
@@ -112,13 +112,16 @@ std::optional<Mesh> triangulate_in_halves(PointsView points, std::span<const int
       threads,
       [&] {
         try {
-          a = half(false, threads - threads / 2, progress);
+          a = half(false, threads - threads / 2, progress, std::max(room, points.size()));
         } catch (...) {
           stopped = true;
           throw;
         }
       },
-      [&] { b = half(true, threads / 2, [&](double) { return !stopped.load(); }); });
+      [&] {
+        b = half(
+            true, threads / 2, [&](double) { return !stopped.load(); }, 0);
+      });
   if (!spans_as_much(*a, axes) || !spans_as_much(*b, axes)) return std::nullopt;
   const double order_seconds = a->statistics.order_seconds;
   std::optional<Mesh> whole = glue(std::move(*a), *b, threads);

@@ -1,5 +1,7 @@
 #include "mesh/incremental.hpp"
 
+#include <algorithm>
+
 #include "delone/base/dispatch.hpp"
 #include "delone/mesh/inserter.hpp"
 
@@ -56,10 +58,11 @@ void insert_from(Mesh& mesh, std::size_t first, const Progress& progress) {
   with_dimension(k, [&](auto dimension) { insert_sites<dimension>(mesh, first, progress); });
 }
 
-void insert_all(Mesh& mesh, const Progress& progress) {
+void insert_all(Mesh& mesh, const Progress& progress, std::size_t room) {
   const int k = mesh.complex.dimension();
   if (k < 0) return;
-  mesh.complex.reserve_more(expected_cells(k, mesh.sites.size()), mesh.sites.size());
+  room = std::max(room, mesh.sites.size());
+  mesh.complex.reserve_more(expected_cells(k, room), room);
   mesh.complex.grow_vertices(mesh.sites.size());
   with_dimension(k, [&](auto dimension) { make_first_cells<dimension>(mesh); });
   insert_from(mesh, static_cast<std::size_t>(k) + 1, progress);

@@ -9,8 +9,9 @@
 namespace delone {
 
 /// Makes the first simplex from sites 0 to k of a mesh without cells, then inserts all other sites in their order.
+/// @param room  sites that the mesh will have some day, if more than now
 /// @throws Cancelled when `progress` says so; std::bad_alloc. The mesh is then half-built: callers work on their own.
-void insert_all(Mesh& mesh, const Progress& progress);
+void insert_all(Mesh& mesh, const Progress& progress, std::size_t room = 0);
 
 /// Inserts the sites from `first` on, in their order, into a mesh that has cells.
 void insert_from(Mesh& mesh, std::size_t first, const Progress& progress);

@@ -25,13 +25,13 @@ void bring_to_front(std::vector<Index>& order, std::span<const Index> rows) {
 
 }  // namespace
 
-Mesh triangulate_points(PointsView points, int threads, const Progress& progress) {
+Mesh triangulate_points(PointsView points, int threads, const Progress& progress, std::size_t room) {
   Stopwatch watch;
   const AffineHull hull = affine_hull(points);
   const std::span axes = std::span(hull.flat.axes).first(static_cast<std::size_t>(std::max(hull.flat.dimension, 0)));
   const bool plane = axes.size() == 2 && !points.weighted();
   if (!plane) {
-    if (auto mesh = triangulate_in_halves(points, axes, threads, progress)) return std::move(*mesh);
+    if (auto mesh = triangulate_in_halves(points, axes, threads, progress, room)) return std::move(*mesh);
   }
   Mesh mesh(Sites(points.dimension(), points.weighted(), hull.flat));
   if (plane) {
@@ -44,7 +44,7 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
     bring_to_front(order, std::span(hull.basis).first(points.empty() ? 0 : axes.size() + 1));
     mesh.sites.append(points, order, 0, threads);
     mesh.statistics.order_seconds = watch.lap();
-    insert_all(mesh, progress);
+    insert_all(mesh, progress, room);
   }
   mesh.statistics.insert_seconds = watch.lap();
   return mesh;

@@ -13,8 +13,9 @@ namespace delone {
 
 /// The triangulation of `points` in the flat that they span. It does not depend on the number of threads, but the
 /// numbers of its vertices and cells do.
+/// @param room  sites that the mesh will have some day, if more than now: memory that grows later is slow
 /// @throws Cancelled when `progress` says so; std::bad_alloc
-Mesh triangulate_points(PointsView points, int threads, const Progress& progress);
+Mesh triangulate_points(PointsView points, int threads, const Progress& progress, std::size_t room = 0);
 
 /// The triangulation of some sites; row i of it is sites[i].
 Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites, int threads = 1);
