@@ -99,7 +99,7 @@ struct Scratch {
   Buffer<VertexId> displaced;  ///< hidden sites of cells that go, where they are known
   Buffer<CellId> removed;      ///< the cells of the cavity, when somebody asked for them
   Sight sight;
-  EdgeTable edges;
+  Buffer<EdgeTable> edges;  ///< one in 3D, else none: it is large, and a mesh is moved
   RidgeTable ridges;
   Hole hole;
   Buffer<std::byte> planes;  ///< above 3D, per cell slot a Hyperplane; zero where it is not known
@@ -122,7 +122,9 @@ struct Scratch {
   }
   /// For searches among vertices below `vertices`.
   void reserve_vertices(int k, std::size_t vertices) {
-    if (k == 3 && sight.number.size() <= vertices) sight.number.resize(vertices + vertices / 2 + 1);
+    if (k != 3) return;
+    edges.resize(1);
+    if (sight.number.size() <= vertices) sight.number.resize(vertices + vertices / 2 + 1);
   }
   /// Room for a star beside the cavity just found, and for telling of both.
   void prepare_star(int dimension, std::size_t slots) {
@@ -132,8 +134,9 @@ struct Scratch {
     reserve_cells(dimension, slots + boundary.size());
   }
   std::size_t memory_bytes() const {
-    return hole.memory_bytes() + marks.capacity() + sight.memory_bytes() + planes.capacity() + ridges.memory_bytes() +
-           fronts.capacity() * sizeof(Front) + (cavity.capacity() + boundary.capacity()) * sizeof(FacetId) +
+    return hole.memory_bytes() + marks.capacity() + sight.memory_bytes() + edges.capacity() * sizeof(EdgeTable) +
+           planes.capacity() + ridges.memory_bytes() + fronts.capacity() * sizeof(Front) +
+           (cavity.capacity() + boundary.capacity()) * sizeof(FacetId) +
            (swallowed.capacity() + displaced.capacity()) * sizeof(VertexId) +
            (created.capacity() + removed.capacity()) * sizeof(CellId);
   }

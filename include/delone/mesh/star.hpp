@@ -64,7 +64,7 @@ void link_by_turning(ComplexView<K> complex, VertexId q, const Scratch& scratch)
 inline void fill_by_edge_table(ComplexView<3> complex, VertexId q, Scratch& scratch) {
   // Corners of the facet opposite each slot, in the order that makes a shared edge run in opposite directions.
   constexpr std::array<std::array<int, 3>, 4> kFacet{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
-  auto& table = scratch.edges;
+  EdgeTable& table = scratch.edges.front();
   const std::size_t count = scratch.created.size();
   CellId* const created = scratch.created.data();
   const FacetId* const boundary = scratch.boundary.data();
