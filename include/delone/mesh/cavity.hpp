@@ -95,40 +95,11 @@ bool marks_cells(const Kernel<K>& kernel) {
 }
 
 /// Finds all cells in conflict with q, from one of them, into `scratch`. Changes nothing else; on std::bad_alloc every
-/// marked cell is listed. Breadth first: the list is the queue. No branch depends on the outcome of a test, which
-/// nobody can predict.
+/// marked cell is listed. Breadth first: the list is the queue. A cell's neighbours that are not yet known to be in
+/// conflict, as often some as others, are listed first, and no branch depends on the outcome of a test: nobody can
+/// predict either.
 template <int K>
 void find_cavity(ComplexView<K> complex, Kernel<K>& kernel, VertexId q, CellId start, Scratch& scratch) {
-  Refill cavity(scratch.cavity);
-  Refill boundary(scratch.boundary);
-  Scratch::Mark* const marks = scratch.marks.data();
-  cavity.make_room(1);
-  cavity.push(complex.facet(start, 0));
-  marks[raw(start)] = Scratch::Mark::conflicting;
-  for (std::size_t next = 0; next < cavity.size(); ++next) {
-    cavity.make_room(K + 1);
-    boundary.make_room(K + 1);
-    if (next + 2 < cavity.size()) fetch_neighbours(complex, scratch, complex.cell(cavity[next + 2]));
-    const CellId c = complex.cell(cavity[next]);
-    const int entry = complex.slot(cavity[next]);
-    for (int i = next == 0 ? 0 : 1; i <= K; ++i) {
-      const int slot = complex.turned(entry, i);
-      const FacetId outside = complex.twin(c, slot);
-      const CellId across = complex.cell(outside);
-      if (marks[raw(across)] == Scratch::Mark::conflicting) continue;
-      const bool conflicting = in_conflict(complex, kernel, scratch, across, q);
-      marks[raw(across)] = static_cast<Scratch::Mark>(conflicting);
-      cavity.push_if(conflicting, outside);
-      boundary.push_if(!conflicting, complex.facet(c, slot));
-    }
-  }
-}
-
-/// The same above 3D. A cell's neighbours that are not yet known to be in conflict, as often some as others, are listed
-/// first; the one that the search came from is known.
-template <int K>
-requires(K > 3) void find_cavity(ComplexView<K> complex, Kernel<K>& kernel, VertexId q, CellId start,
-                                 Scratch& scratch) {
   Refill cavity(scratch.cavity);
   Refill boundary(scratch.boundary);
   Scratch::Mark* const marks = scratch.marks.data();
