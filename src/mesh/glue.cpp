@@ -140,6 +140,7 @@ class Gap {
     const std::vector<CellId> filling = cells_within(rim, cells, seam.sites);
 
     mesh_->complex.reserve_more(filling.size(), mesh_->sites.size());
+    // A site of the border is hidden in the whole just where it is in the seam; all others have a cell of the filling.
     mesh_->vertex_count -= border_.size() - seam.vertex_count;
     for (const VertexId v : border_) complex_.forget(v);
     for (const CellId c : open_) complex_.destroy(c);
@@ -157,7 +158,9 @@ class Gap {
         if (const CellId across = made[raw(cells.cell(twin))]; across != kNoCell) {
           complex_.set_twin(m, i, complex_.facet(across, cells.slot(twin)));
         } else {
-          complex_.link(complex_.facet(m, i), FacetId{rim[rim.key(complex_.vertices(m), i)]});
+          const Index outside = rim.at(rim.key(complex_.vertices(m), i));
+          DELONE_ASSERT(outside != kNone, "the filling ends at the rim");
+          complex_.link(complex_.facet(m, i), FacetId{outside});
         }
       }
     }
@@ -187,7 +190,7 @@ class Gap {
       const Cell cell = sites_of(cells.vertices(found[next]), seam);
       for (int i = 0; i <= K; ++i) {
         const CellId across = cells.cell(cells.twin(found[next], i));
-        if (!is_found[raw(across)] && rim[rim.key(cell, i)] == kNone) add(across);
+        if (!is_found[raw(across)] && rim.at(rim.key(cell, i)) == kNone) add(across);
       }
     }
     return found;
@@ -238,6 +241,7 @@ std::optional<Mesh> glue_parts(Mesh a, const Mesh& b, int threads) {
   const auto cells = static_cast<Index>(a.complex.slot_count());
   for (const CellId c : open_of_b) open.push_back(CellId{raw(c) + cells});
   const VertexId second{static_cast<Index>(a.sites.size())};
+  a.scratch = {};  // it knows cells that will be others
   put_beside(a, b, threads);
   Gap<K> gap(a, std::move(open), second);
   if (2 * gap.border().size() > a.sites.size()) return std::nullopt;

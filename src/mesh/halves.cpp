@@ -4,11 +4,11 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 #include <utility>
 #include <vector>
 
 #include "base/both.hpp"
-#include "delone/base/errors.hpp"
 #include "delone/base/stopwatch.hpp"
 #include "mesh/glue.hpp"
 #include "mesh/triangulate.hpp"
@@ -77,11 +77,12 @@ bool spans_as_much(const Mesh& mesh, std::span<const int> axes) {
 
 /// Whether the border of two halves will be short, by that of a sample: so many sites fill a part of K dimensions, and
 /// a layer of K - 1 is near the border.
-bool has_short_border(PointsView sample, std::size_t points, const Cut& cut, std::span<const int> axes) {
+bool has_short_border(PointsView sample, std::size_t points, const Cut& cut, std::span<const int> axes,
+                      const Progress& progress) {
   const Rows lower = cut.half(sample, false);
   const Rows upper = cut.half(sample, true);
-  const Mesh a = triangulate_points(lower.view(), 1, {});
-  const Mesh b = triangulate_points(upper.view(), 1, {});
+  const Mesh a = triangulate_points(lower.view(), 1, progress);
+  const Mesh b = triangulate_points(upper.view(), 1, progress);
   if (!spans_as_much(a, axes) || !spans_as_much(b, axes)) return false;
   const double share = border_share(a, b);
   const double thinner = std::pow(static_cast<double>(sample.size()) / static_cast<double>(points),
@@ -98,30 +99,31 @@ std::optional<Mesh> triangulate_in_halves(PointsView points, std::span<const int
   const std::size_t step = points.size() / kSample;
   const Rows sample(points, [&](std::size_t row) { return row % step == 0; });
   const Cut cut(sample.view(), axes);
-  if (!has_short_border(sample.view(), points.size(), cut, axes)) return std::nullopt;
+  const Progress ask = [&](double) { return !progress || progress(0.0); };
+  if (!has_short_border(sample.view(), points.size(), cut, axes, ask)) return std::nullopt;
 
+  // What one half throws ends the other.
   std::atomic<bool> stopped = false;
-  const auto half = [&](bool upper, int share, const Progress& tell, std::size_t whole) {
-    const Rows rows = cut.half(points, upper);
-    std::optional<Mesh> mesh = triangulate_points(rows.view(), share, tell, whole);
-    mesh->rename_rows(rows.names, points.size());
-    return mesh;
-  };
+  std::exception_ptr failure;
   std::optional<Mesh> a, b;
+  const auto make_half = [&](std::optional<Mesh>& mesh, bool upper, int share, const Progress& tell) {
+    try {
+      const Rows rows = cut.half(points, upper);
+      mesh = triangulate_points(rows.view(), share, tell, upper ? 0 : std::max(room, points.size()));
+      mesh->rename_rows(rows.names, points.size());
+      mesh->scratch = {};
+    } catch (...) {
+      if (!stopped.exchange(true)) failure = std::current_exception();
+    }
+  };
   both(
       threads,
       [&] {
-        try {
-          a = half(false, threads - threads / 2, progress, std::max(room, points.size()));
-        } catch (...) {
-          stopped = true;
-          throw;
-        }
+        make_half(a, false, threads - threads / 2,
+                  [&](double done) { return !stopped && (!progress || progress(done)); });
       },
-      [&] {
-        b = half(
-            true, threads / 2, [&](double) { return !stopped.load(); }, 0);
-      });
+      [&] { make_half(b, true, threads / 2, [&](double) { return !stopped; }); });
+  if (failure) std::rethrow_exception(failure);
   if (!spans_as_much(*a, axes) || !spans_as_much(*b, axes)) return std::nullopt;
   const double order_seconds = a->statistics.order_seconds;
   std::optional<Mesh> whole = glue(std::move(*a), *b, threads);

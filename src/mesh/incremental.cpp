@@ -8,8 +8,13 @@
 namespace delone {
 namespace {
 
-/// Cells that a uniform set of n points needs, for one reservation up front; beyond dimension 3 too many to promise.
-std::size_t expected_cells(int k, std::size_t n) { return k <= 3 ? (k == 3 ? 7 * n : 2 * n) + 64 : 64; }
+/// Makes room for the cells that n uniform points more need, for which it is a guess: where ids end, for fewer. Beyond
+/// dimension 3 they are too many to promise.
+void reserve_expected(Complex& complex, std::size_t n, std::size_t vertex_slots) {
+  const int k = complex.dimension();
+  const std::size_t nameable = (kNone - 1) / static_cast<std::size_t>(k + 1) - complex.slot_count();
+  complex.reserve_more(std::min(k <= 3 ? (k == 3 ? 7 * n : 2 * n) + 64 : 64, nameable), vertex_slots);
+}
 
 template <int K>
 void insert_sites(Mesh& mesh, std::size_t first, const Progress& progress) {
@@ -53,7 +58,7 @@ void keep_hidden_sites(Mesh& mesh) {
 void insert_from(Mesh& mesh, std::size_t first, const Progress& progress) {
   const int k = mesh.complex.dimension();
   if (k < 0) return;
-  mesh.complex.reserve_more(expected_cells(k, mesh.sites.size() - first), mesh.sites.size());
+  reserve_expected(mesh.complex, mesh.sites.size() - first, mesh.sites.size());
   mesh.complex.grow_vertices(mesh.sites.size());
   with_dimension(k, [&](auto dimension) { insert_sites<dimension>(mesh, first, progress); });
 }
@@ -62,7 +67,7 @@ void insert_all(Mesh& mesh, const Progress& progress, std::size_t room) {
   const int k = mesh.complex.dimension();
   if (k < 0) return;
   room = std::max(room, mesh.sites.size());
-  mesh.complex.reserve_more(expected_cells(k, room), room);
+  reserve_expected(mesh.complex, room, room);
   mesh.complex.grow_vertices(mesh.sites.size());
   with_dimension(k, [&](auto dimension) { make_first_cells<dimension>(mesh); });
   insert_from(mesh, static_cast<std::size_t>(k) + 1, progress);

@@ -32,6 +32,7 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
   const bool plane = axes.size() == 2 && !points.weighted();
   if (!plane) {
     if (auto mesh = triangulate_in_halves(points, axes, threads, progress, room)) return std::move(*mesh);
+    watch.lap();
   }
   Mesh mesh(Sites(points.dimension(), points.weighted(), hull.flat));
   if (plane) {

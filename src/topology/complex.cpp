@@ -21,7 +21,8 @@ void Complex::reserve_more(std::size_t cells, std::size_t vertex_slots) {
 
 void Complex::append(const Complex& other, int threads) {
   DELONE_ASSERT(other.dimension_ == dimension_, "cells of the same kind");
-  reserve_more(other.slot_count(), vertex_slots() + other.vertex_slots());
+  const std::size_t dead = slot_count() - live_;  // none of these is taken
+  reserve_more(other.slot_count() + dead, vertex_slots() + other.vertex_slots());
   const auto cells = static_cast<Index>(slot_count());
   const auto facets = cells * static_cast<Index>(corners());
   const auto vertices = static_cast<Index>(vertex_slots());

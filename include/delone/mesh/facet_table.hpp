@@ -40,6 +40,8 @@ class FacetTable {
     return key;
   }
 
+  /// What is kept for the facet, or kNone.
+  Index at(const Key& key) { return *find(key); }
   /// What is kept for the facet; kNone, which the caller may replace, when it is new. Valid until the next call.
   Index& operator[](const Key& key) {
     if (2 * count_ >= slots_) grow();
