@@ -1,5 +1,5 @@
 // Points in, a mesh out: the default method for each kind of input.
-//   in the plane, without weights   divide and conquer: the fastest there, and its parts need nothing of each other
+//   in the plane, without weights   divide and conquer, whose parts need nothing of each other
 //   else                            insertion one by one along a curve; for several threads and many points by halves
 #pragma once
 

@@ -8,7 +8,7 @@
 
 namespace delone {
 
-/// The finite cells, with their neighbours unless they are left out, which saves half the time. Cost O(cells).
+/// The finite cells, with their neighbours unless they are left out, which saves time. Cost O(cells).
 CellTable cells(const AnyTriangulation& t, bool with_neighbours = true);
 
 /// The facets of the convex hull: k rows each, ordered like cells; a facet's outward normal followed by its edge
