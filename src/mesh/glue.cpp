@@ -102,6 +102,22 @@ class Reach {
   std::vector<CellId> cells_;
 };
 
+/// The sites of some cells, ascending.
+template <int K>
+std::vector<VertexId> sites_of_cells(const Complex& complex, std::span<const CellId> cells) {
+  std::vector<VertexId> sites;
+  std::vector<bool> listed(complex.vertex_slots(), false);
+  for (const CellId c : cells) {
+    for (const VertexId v : ConstComplexView<K>(complex).vertices(c)) {
+      if (v == kGhost || listed[raw(v)]) continue;
+      listed[raw(v)] = true;
+      sites.push_back(v);
+    }
+  }
+  std::ranges::sort(sites);
+  return sites;
+}
+
 /// Two parts side by side in one mesh, and what lies open between them.
 template <int K>
 class Gap {
@@ -109,18 +125,13 @@ class Gap {
   /// @param open    the cells that are not safe, as far as is known
   /// @param second  the first site of the second part
   Gap(Mesh& mesh, std::vector<CellId> open, VertexId second)
-      : mesh_(&mesh), complex_(mesh.complex), open_(std::move(open)), second_(second) {
-    is_open_.resize(complex_.slot_count(), false);
-    std::vector<bool> listed(mesh.sites.size(), false);
-    for (const CellId c : open_) {
-      is_open_[raw(c)] = true;
-      for (const VertexId v : complex_.vertices(c)) {
-        if (v == kGhost || listed[raw(v)]) continue;
-        listed[raw(v)] = true;
-        border_.push_back(v);
-      }
-    }
-    std::ranges::sort(border_);
+      : mesh_(&mesh),
+        complex_(mesh.complex),
+        open_(std::move(open)),
+        second_(second),
+        is_open_(complex_.slot_count(), false),
+        border_(sites_of_cells<K>(mesh.complex, open_)) {
+    for (const CellId c : open_) is_open_[raw(c)] = true;
   }
 
   /// The sites of the open cells, ascending.
@@ -255,17 +266,7 @@ std::optional<Mesh> glue_parts(Mesh a, const Mesh& b, int threads) {
 template <int K>
 double share_of_border(const Mesh& a, const Mesh& b) {
   const auto open = open_cells<K>(a, b, 1);
-  std::size_t count = 0;
-  for (const bool second : {false, true}) {
-    const Mesh& mesh = second ? b : a;
-    std::vector<bool> listed(mesh.sites.size(), false);
-    for (const CellId c : open[second ? 1 : 0]) {
-      for (const VertexId v : ConstComplexView<K>(mesh.complex).vertices(c)) {
-        if (v != kGhost) listed[raw(v)] = true;
-      }
-    }
-    count += static_cast<std::size_t>(std::ranges::count(listed, true));
-  }
+  const std::size_t count = sites_of_cells<K>(a.complex, open[0]).size() + sites_of_cells<K>(b.complex, open[1]).size();
   return static_cast<double>(count) / static_cast<double>(a.sites.size() + b.sites.size());
 }
 
