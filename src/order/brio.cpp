@@ -177,6 +177,21 @@ std::vector<Index> order_in_rounds(PointsView points, std::span<const int> axes,
   return rows.in_order();
 }
 
+/// The place nearest to the middle of rows [begin, end), which are sorted on this axis, where its coordinate grows;
+/// `begin` when it does not.
+std::size_t nearest_step(PointsView points, std::span<const Index> order, std::size_t begin, std::size_t end,
+                         int axis) {
+  const auto grows_at = [&](std::size_t i) {
+    return points[order[i - 1]][static_cast<std::size_t>(axis)] != points[order[i]][static_cast<std::size_t>(axis)];
+  };
+  const std::size_t middle = begin + (end - begin) / 2;
+  for (std::size_t d = 0; d <= end - middle; ++d) {
+    if (d < middle - begin && grows_at(middle - d)) return middle - d;
+    if (d < end - middle && middle + d > begin && grows_at(middle + d)) return middle + d;
+  }
+  return begin;
+}
+
 }  // namespace
 
 std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int threads) {
@@ -198,6 +213,36 @@ CurveCuts curve_cuts(PointsView points, std::span<const int> axes, int threads) 
     sort_along_curve<dimension>(points, axes, rows, 0, threads, {cuts.data(), cuts.size()});
   });
   return {rows.in_order(), std::move(cuts)};
+}
+
+CurveCuts vertical_cuts(PointsView points, std::span<const int> axes) {
+  CurveCuts cuts;
+  cuts.order.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) cuts.order[i] = static_cast<Index>(i);
+  const auto place = [&](Index row) {
+    return std::array{points[row][static_cast<std::size_t>(axes[0])], points[row][static_cast<std::size_t>(axes[1])]};
+  };
+  std::ranges::sort(cuts.order, {}, place);
+  cuts.cut.resize(points.size(), CurveCuts::kSamePlace);
+  struct Part {
+    std::size_t begin, end;
+    std::uint16_t depth;
+  };
+  std::vector<Part> parts{{0, points.size(), 0}};
+  while (!parts.empty()) {
+    const Part part = parts.back();
+    parts.pop_back();
+    std::size_t at = part.begin;
+    for (std::size_t axis = 0; axis < 2 && at == part.begin && part.end - part.begin > 1; ++axis) {
+      at = nearest_step(points, cuts.order, part.begin, part.end, axes[axis]);
+    }
+    if (at == part.begin) continue;  // one place
+    cuts.cut[at] = part.depth;
+    const auto deeper = static_cast<std::uint16_t>(part.depth + 1);
+    parts.push_back({part.begin, at, deeper});
+    parts.push_back({at, part.end, deeper});
+  }
+  return cuts;
 }
 
 }  // namespace delone
