@@ -68,7 +68,7 @@ void insert(AnyTriangulation& t, PointsView batch, const BuildOptions& options) 
   const auto axes =
       std::span(mesh.sites.flat().axes).first(static_cast<std::size_t>(std::max(t.affine_dimension(), 0)));
   mesh.sites.append(batch, brio_order(batch, axes, options.threads), static_cast<Index>(t.row_count()));
-  insert_from(mesh, first, options.progress);
+  insert_range(mesh, first, mesh.sites.size(), options.progress);
   AnyTriangulation grown(std::move(mesh));
   std::swap(t, grown);
 }

@@ -7,14 +7,18 @@
 #include "mesh/triangulate.hpp"
 
 namespace delone {
-AnyTriangulation triangulated(PointsView points, int threads, const Progress& progress) {
-  Mesh mesh = triangulate_points(points, threads, progress);
+
+AnyTriangulation finished(Mesh mesh) {
   Stopwatch watch;
   mesh.complex.shrink();
   mesh.sites.shrink();
   mesh.scratch = {};
   mesh.statistics.finish_seconds = watch.lap();
   return AnyTriangulation(std::move(mesh));
+}
+
+AnyTriangulation triangulated(PointsView points, int threads, const Progress& progress) {
+  return finished(triangulate_points(points, threads, progress));
 }
 
 NamedPoints points_of(const AnyTriangulation& t, std::vector<Index> rows) {

@@ -10,6 +10,9 @@
 
 namespace delone {
 
+/// A mesh that is ready, without spare memory.
+AnyTriangulation finished(Mesh mesh);
+
 /// The triangulation of finite points, without spare memory.
 AnyTriangulation triangulated(PointsView points, int threads, const Progress& progress);
 

@@ -17,11 +17,11 @@ void reserve_expected(Complex& complex, std::size_t n, std::size_t vertex_slots)
 }
 
 template <int K>
-void insert_sites(Mesh& mesh, std::size_t first, const Progress& progress) {
+void insert_sites(Mesh& mesh, std::size_t first, std::size_t last, const Progress& progress) {
   Inserter<K> inserter(mesh);
   CellId near = mesh.complex.incident_cell(kGhost);
-  for (std::size_t i = first; i < mesh.sites.size(); ++i) {
-    tell(progress, i - first, mesh.sites.size() - first);
+  for (std::size_t i = first; i < last; ++i) {
+    tell(progress, i - first, last - first);
     inserter.insert(VertexId{static_cast<Index>(i)}, near);
     near = inserter.last_cell();
   }
@@ -55,22 +55,26 @@ void keep_hidden_sites(Mesh& mesh) {
   mesh.hidden.keep();
 }
 
-void insert_from(Mesh& mesh, std::size_t first, const Progress& progress) {
+void insert_range(Mesh& mesh, std::size_t first, std::size_t last, const Progress& progress) {
   const int k = mesh.complex.dimension();
   if (k < 0) return;
-  reserve_expected(mesh.complex, mesh.sites.size() - first, mesh.sites.size());
+  reserve_expected(mesh.complex, last - first, mesh.sites.size());
   mesh.complex.grow_vertices(mesh.sites.size());
-  with_dimension(k, [&](auto dimension) { insert_sites<dimension>(mesh, first, progress); });
+  with_dimension(k, [&](auto dimension) { insert_sites<dimension>(mesh, first, last, progress); });
 }
 
-void insert_all(Mesh& mesh, const Progress& progress, std::size_t room) {
+void insert_first(Mesh& mesh, std::size_t count, const Progress& progress, std::size_t room) {
   const int k = mesh.complex.dimension();
   if (k < 0) return;
   room = std::max(room, mesh.sites.size());
   reserve_expected(mesh.complex, room, room);
   mesh.complex.grow_vertices(mesh.sites.size());
   with_dimension(k, [&](auto dimension) { make_first_cells<dimension>(mesh); });
-  insert_from(mesh, static_cast<std::size_t>(k) + 1, progress);
+  insert_range(mesh, static_cast<std::size_t>(k) + 1, count, progress);
+}
+
+void insert_all(Mesh& mesh, const Progress& progress, std::size_t room) {
+  insert_first(mesh, mesh.sites.size(), progress, room);
 }
 
 }  // namespace delone

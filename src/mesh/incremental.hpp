@@ -13,8 +13,11 @@ namespace delone {
 /// @throws Cancelled when `progress` says so; std::bad_alloc. The mesh is then half-built: callers work on their own.
 void insert_all(Mesh& mesh, const Progress& progress, std::size_t room = 0);
 
-/// Inserts the sites from `first` on, in their order, into a mesh that has cells.
-void insert_from(Mesh& mesh, std::size_t first, const Progress& progress);
+/// The same for sites 0 to count - 1 only.
+void insert_first(Mesh& mesh, std::size_t count, const Progress& progress, std::size_t room = 0);
+
+/// Inserts sites first to last - 1, in their order, into a mesh that has cells.
+void insert_range(Mesh& mesh, std::size_t first, std::size_t last, const Progress& progress);
 
 /// From now on the mesh knows which cell holds each hidden site. Cost of the first call: a walk per hidden site.
 void keep_hidden_sites(Mesh& mesh);

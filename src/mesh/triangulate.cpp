@@ -29,24 +29,32 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
   Stopwatch watch;
   const AffineHull hull = affine_hull(points);
   const std::span axes = std::span(hull.flat.axes).first(static_cast<std::size_t>(std::max(hull.flat.dimension, 0)));
-  const bool plane = axes.size() == 2 && !points.weighted();
-  if (!plane) {
-    if (auto mesh = triangulate_in_halves(points, axes, threads, progress, room)) return std::move(*mesh);
-    watch.lap();
-  }
-  Mesh mesh(Sites(points.dimension(), points.weighted(), hull.flat));
-  if (plane) {
+  if (axes.size() == 2 && !points.weighted()) {
     const CurveCuts cuts = curve_cuts(points, axes, threads);
-    mesh.sites.append(points, cuts.order, 0, threads);
-    mesh.statistics.order_seconds = watch.lap();
-    divide_and_conquer(mesh, {cuts.cut.data(), cuts.cut.size()}, threads, progress);
-  } else {
-    std::vector<Index> order = brio_order(points, axes, threads);
-    bring_to_front(order, std::span(hull.basis).first(points.empty() ? 0 : axes.size() + 1));
-    mesh.sites.append(points, order, 0, threads);
-    mesh.statistics.order_seconds = watch.lap();
-    insert_all(mesh, progress, room);
+    const double ordered = watch.lap();
+    Mesh mesh = triangulate_plane(points, hull.flat, cuts, threads, progress);
+    mesh.statistics.order_seconds += ordered;
+    return mesh;
   }
+  if (auto mesh = triangulate_in_halves(points, axes, threads, progress, room)) return std::move(*mesh);
+  watch.lap();
+  Mesh mesh(Sites(points.dimension(), points.weighted(), hull.flat));
+  std::vector<Index> order = brio_order(points, axes, threads);
+  bring_to_front(order, std::span(hull.basis).first(points.empty() ? 0 : axes.size() + 1));
+  mesh.sites.append(points, order, 0, threads);
+  mesh.statistics.order_seconds = watch.lap();
+  insert_all(mesh, progress, room);
+  mesh.statistics.insert_seconds = watch.lap();
+  return mesh;
+}
+
+Mesh triangulate_plane(PointsView points, const Flat& flat, const CurveCuts& cuts, int threads,
+                       const Progress& progress) {
+  Stopwatch watch;
+  Mesh mesh(Sites(points.dimension(), false, flat));
+  mesh.sites.append(points, cuts.order, 0, threads);
+  mesh.statistics.order_seconds = watch.lap();
+  divide_and_conquer(mesh, {cuts.cut.data(), cuts.cut.size()}, threads, progress);
   mesh.statistics.insert_seconds = watch.lap();
   return mesh;
 }

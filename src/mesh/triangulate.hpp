@@ -8,6 +8,7 @@
 #include "delone/base/progress.hpp"
 #include "delone/geometry/points.hpp"
 #include "delone/mesh/triangulation.hpp"
+#include "delone/order/brio.hpp"
 
 namespace delone {
 
@@ -16,6 +17,11 @@ namespace delone {
 /// @param room  sites that the mesh will have some day, if more than now: memory that grows later is slow
 /// @throws Cancelled when `progress` says so; std::bad_alloc
 Mesh triangulate_points(PointsView points, int threads, const Progress& progress, std::size_t room = 0);
+
+/// The triangulation of points that span the plane, without weights, by divide and conquer along cuts of the two axes
+/// of their flat. @throws as above
+Mesh triangulate_plane(PointsView points, const Flat& flat, const CurveCuts& cuts, int threads,
+                       const Progress& progress);
 
 /// The triangulation of some sites; row i of it is sites[i].
 Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites, int threads = 1);

@@ -41,9 +41,7 @@ class Inserter {
   /// Inserts site q, which is in no cell yet, starting the walk from the live cell `start`.
   /// On std::bad_alloc the mesh is as it was. Cost: the walk, then O(K * cells changed).
   Outcome insert(VertexId q, CellId start) {
-    scratch_->reserve_cells(K, complex_.slot_count());
-    scratch_->reserve_vertices(K, mesh_->sites.size());
-    if (mesh_->hidden.kept()) mesh_->hidden.reserve(mesh_->sites.size(), complex_.slot_count());
+    reserve();
     WalkStats walked;
     const CellId c = walk(complex_, kernel_, kernel_.at(q), start, walked);
     mesh_->statistics.walk_steps += walked.steps;
@@ -58,8 +56,17 @@ class Inserter {
       hide(q, c);  // without weights a point inside a cell is inside its circumscribing ball
       return Outcome::hidden;
     }
-    replace_cavity(q, c);
+    replace_cavity(q, c, [](const Scratch&) {});
     return Outcome::inserted;
+  }
+
+  /// Inserts site q, which is known to be in conflict with the live cell c, and to stand at no vertex's place.
+  /// @param watch  called with the scratch when both the cavity and its star are there; if it throws, the mesh is
+  /// spoilt
+  template <class Watch>
+  void insert_at(VertexId q, CellId c, const Watch& watch) {
+    reserve();
+    replace_cavity(q, c, watch);
   }
 
   /// A live cell close to the last insertion.
@@ -74,6 +81,12 @@ class Inserter {
   }
 
  private:
+  void reserve() {
+    scratch_->reserve_cells(K, complex_.slot_count());
+    scratch_->reserve_vertices(K, mesh_->sites.size());
+    if (mesh_->hidden.kept()) mesh_->hidden.reserve(mesh_->sites.size(), complex_.slot_count());
+  }
+
   VertexId vertex_at_place_of(VertexId q, CellId c) const {
     for (const VertexId v : complex_.vertices(c)) {
       if (v != kGhost && kernel_.same_place(v, q)) return v;
@@ -81,7 +94,8 @@ class Inserter {
     return kGhost;
   }
 
-  void replace_cavity(VertexId q, CellId start) {
+  template <class Watch>
+  void replace_cavity(VertexId q, CellId start, const Watch& watch) {
     try {
       find_cavity(complex_, kernel_, q, start, *scratch_);
       mesh_->complex.reserve_more(scratch_->boundary.size(), mesh_->sites.size());
@@ -94,6 +108,7 @@ class Inserter {
     if (mesh_->hidden.kept()) displace_hidden();  // from here on nothing fails
     fill_cavity(complex_, q, *scratch_);
     if constexpr (K > 3) keep_hyperplanes(complex_, kernel_, q, *scratch_);
+    watch(*scratch_);
     came_ = q;
     ++mesh_->vertex_count;
     if (mesh_->sites.weighted()) hide_swallowed_vertices();
@@ -193,13 +208,11 @@ class Inserter<0> {
   ComplexView<0> complex_;
 };
 
-/// Makes the first cells of an empty complex: the simplex of sites 0 to K, positively oriented, and a ghost cell on
-/// each of its facets. Room has been reserved.
+/// Makes the first cells of an empty complex: a simplex of sites, positively oriented, and a ghost cell on each of its
+/// facets. Room has been reserved.
 template <int K>
-void make_first_cells(Mesh& mesh) {
+void make_first_cells(Mesh& mesh, std::array<VertexId, K + 1> simplex) {
   ComplexView<K> complex(mesh.complex);
-  std::array<VertexId, K + 1> simplex;
-  for (std::size_t i = 0; i < simplex.size(); ++i) simplex[i] = VertexId{static_cast<Index>(i)};
   if constexpr (K >= 1) {
     if (Kernel<K>(mesh.sites).orient(simplex) < 0) std::swap(simplex[0], simplex[1]);
   }
@@ -232,6 +245,14 @@ void make_first_cells(Mesh& mesh) {
     }
   }
   mesh.vertex_count = K + 1;
+}
+
+/// The same with sites 0 to K.
+template <int K>
+void make_first_cells(Mesh& mesh) {
+  std::array<VertexId, K + 1> simplex;
+  for (std::size_t i = 0; i < simplex.size(); ++i) simplex[i] = VertexId{static_cast<Index>(i)};
+  make_first_cells<K>(mesh, simplex);
 }
 
 }  // namespace delone

@@ -42,6 +42,8 @@ struct BuildStatistics {
   std::uint64_t walk_steps = 0;
   std::uint64_t walk_fallbacks = 0;  ///< walks that hit their bound and were answered by looking at every cell
   std::uint64_t cells_created = 0;
+  std::uint64_t flips = 0;          ///< of methods that flip
+  std::uint64_t history_steps = 0;  ///< cells of a history, or of a conflict graph, that were asked about a point
 
   BuildStatistics& operator+=(const BuildStatistics& other);
 };
