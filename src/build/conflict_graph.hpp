@@ -1,0 +1,16 @@
+// The random incremental method with a conflict graph, in any dimension, with weights.
+// Source: [For92] 4.4 and [GKS92] 1, after Clarkson and Shor.
+#pragma once
+
+#include <cstddef>
+
+#include "delone/base/progress.hpp"
+#include "delone/mesh/triangulation.hpp"
+
+namespace delone {
+
+/// Triangulates sites 0 to count - 1 of a mesh without cells as distinct_sites makes it.
+/// @throws Cancelled when `progress` says so; std::bad_alloc
+void build_by_conflict_graph(Mesh& mesh, std::size_t count, const Progress& progress);
+
+}  // namespace delone
