@@ -18,6 +18,7 @@ struct ComplexInput {
   std::span<const Index> cells;   ///< rows in range, ascending and distinct within each cell; at least one cell
   std::span<const Index> strays;  ///< rows that are at the position of no vertex: they must be redundant
   bool canonical = false;
+  bool furthest = false;
   int threads = 1;
 };
 

@@ -38,7 +38,7 @@ template <int K>
 class ComplexCheck {
  public:
   ComplexCheck(const ComplexInput& input, Violations& violations)
-      : input_(input), kernel_(input.points, input.hull), violations_(violations) {}
+      : input_(input), kernel_(input.points, input.hull, input.furthest), violations_(violations) {}
 
   std::size_t run() {
     check_volumes();
@@ -81,6 +81,9 @@ class ComplexCheck {
   /// The orientation of the simplex (apex of f, facet f): on which side of the facet its cell lies.
   int side(std::size_t f) const { return orientation_[f / kCorners] * parity(f % kCorners); }
 
+  std::string beyond_sphere() const {
+    return input_.furthest ? " is outside the orthosphere of " : " is inside the orthosphere of ";
+  }
   static std::string cell_in_words(std::size_t c) { return "cell " + std::to_string(c); }
   std::string facet_in_words(std::size_t f) const { return "facet (" + in_words(facet(f)) + ")"; }
 
@@ -135,8 +138,7 @@ class ComplexCheck {
       const int inside = kernel_.inside_orthosphere(cell(c), orientation_[c], q);
       if (inside > 0) {
         found.add([&] {
-          return in_words({&q, 1}) + " is inside the orthosphere of " + cell_in_words(c) + " (" + in_words(cell(c)) +
-                 ")";
+          return in_words({&q, 1}) + beyond_sphere() + cell_in_words(c) + " (" + in_words(cell(c)) + ")";
         });
       } else if (inside == 0 && input_.canonical && kernel_.wins_tie(cell(c), orientation_[c], q)) {
         found.add([&] {
@@ -248,7 +250,7 @@ class ComplexCheck {
     const int inside = kernel_.inside_orthosphere(cell(*c), orientation_[*c], q);
     if (inside > 0) {
       found.add([&] {
-        return in_words({&q, 1}) + " is no vertex, but inside the orthosphere of " + cell_in_words(*c) + " (" +
+        return in_words({&q, 1}) + " is no vertex, but" + beyond_sphere().substr(3) + cell_in_words(*c) + " (" +
                in_words(cell(*c)) + ") that contains it";
       });
     } else if (inside == 0 && input_.canonical && kernel_.wins_tie(cell(*c), orientation_[*c], q)) {

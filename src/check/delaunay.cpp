@@ -66,6 +66,7 @@ class Checker {
 
   CheckReport run() {
     require_finite(points_);
+    if (options_.furthest && points_.weighted()) throw InputError("furthest sites have no weights here");
     hull_ = check_detail::affine_hull(points_);
     report_.affine_dimension = hull_.dimension;
     report_.cells = cells_.size();
@@ -139,7 +140,7 @@ class Checker {
       compare_with_vertex(static_cast<Index>(row), vertex);
     }
     report_.hidden += strays_.size();
-    if (points_.weighted()) return;
+    if (points_.weighted() || options_.furthest) return;
     for (const Index row : strays_) {
       violations_.add([&] { return in_words({&row, 1}) + " is neither a vertex nor at the position of one"; });
     }
@@ -169,7 +170,7 @@ class Checker {
       }
       return;
     }
-    const ComplexInput input{points_, hull_, sorted_, strays_, options_.canonical, options_.threads};
+    const ComplexInput input{points_, hull_, sorted_, strays_, options_.canonical, options_.furthest, options_.threads};
     constexpr std::array kByDimension = {check_detail::check_complex<1>, check_detail::check_complex<2>,
                                          check_detail::check_complex<3>, check_detail::check_complex<4>,
                                          check_detail::check_complex<5>, check_detail::check_complex<6>,

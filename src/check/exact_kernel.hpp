@@ -64,7 +64,9 @@ class ExactKernel {
   using Cell = std::array<Index, static_cast<std::size_t>(K) + 1>;
   using Facet = std::array<Index, static_cast<std::size_t>(K)>;
 
-  ExactKernel(PointsView points, const AffineHull& hull) : points_(points), axes_(hull.axes) {}
+  /// @param furthest  heights are turned over: what is said of the inside of orthospheres holds for their outside
+  ExactKernel(PointsView points, const AffineHull& hull, bool furthest = false)
+      : points_(points), axes_(hull.axes), height_(furthest ? -1 : 1) {}
 
   /// The orientation of a cell on the first K axes: +1, -1, or 0 when it is flat. Odd permutations turn the sign.
   int orient(const Cell& cell) const {
@@ -82,7 +84,7 @@ class ExactKernel {
     const auto weights = gather_weights(rows, local.unit);
     const bool narrow = local.fits_in(kNarrow - 1) && weights.bits < kNarrow && weights.shift < kNarrow;
     const int above = narrow ? lifted_by<Int128>(local, weights) : lifted_by<BigInt>(local, weights);
-    return -above * orientation;
+    return -above * orientation * height_;
   }
 
   /// Whether q, on the orthosphere of the cell, destroys the cell in the canonical triangulation. Each lifted height is
@@ -334,6 +336,7 @@ class ExactKernel {
 
   PointsView points_;
   std::array<int, kMaxDimension> axes_;
+  int height_;
 };
 
 }  // namespace delone::check_detail

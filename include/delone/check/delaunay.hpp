@@ -13,6 +13,7 @@ namespace delone {
 
 struct CheckOptions {
   bool canonical = false;  ///< also demand Delone's own choice among cospherical ties
+  bool furthest = false;   ///< of furthest sites: all points inside every circumscribing ball
   int threads = 1;
   std::size_t max_violations = 10;  ///< how many violations are put into words
 };
@@ -27,9 +28,9 @@ struct CheckReport {
 };
 
 /// Checks any program's triangulation of `points`: positive volumes, facets matched on opposite sides, empty
-/// orthospheres, hull convex and covered exactly once, every row a vertex, a duplicate of one, or redundant by weight.
+/// orthospheres (or full ones), hull convex and covered exactly once, every row a vertex, a duplicate of one, or redundant by weight.
 /// @param cells  rows of `points`, corners = affine dimension + 1, orientation free; neighbours are not looked at
-/// @throws InputError when a point is not finite
+/// @throws InputError when a point is not finite, or furthest sites have weights
 CheckReport check(PointsView points, const CellTable& cells, const CheckOptions& options = {});
 
 }  // namespace delone
