@@ -4,6 +4,7 @@
 #include <numeric>
 #include <vector>
 
+#include "base/groups.hpp"
 #include "delone/base/arithmetic.hpp"
 #include "delone/base/buffer.hpp"
 #include "delone/base/dispatch.hpp"
@@ -113,6 +114,15 @@ CellTable cells_of(const AnyTriangulation& t, bool with_neighbours) {
 }
 
 template <int K>
+std::vector<CellId> cell_ids_of(const AnyTriangulation& t) {
+  std::vector<CellId> ids;
+  for (const auto& named : named_cells<K>(t, t.row_count(), [&](VertexId v) { return t.row(v); })) {
+    ids.push_back(named.cell);
+  }
+  return ids;
+}
+
+template <int K>
 CellTable hull_facets_of(const AnyTriangulation& t) {
   const Complex& complex = t.complex();
   Buffer<NamedCell<K>> facets;
@@ -140,20 +150,6 @@ CellTable hull_facets_of(const AnyTriangulation& t) {
   }
   return table;
 }
-
-/// Sets of cells that are one polytope, by union and find.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-  Index find(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(Index a, Index b) { parent_[std::max(find(a), find(b))] = std::min(find(a), find(b)); }
-
- private:
-  std::vector<Index> parent_;
-};
 
 template <int K>
 bool on_common_orthosphere(const Kernel<K>& kernel, const Complex& complex, CellId c, VertexId apex) {
@@ -224,6 +220,11 @@ std::pair<std::vector<Index>, std::size_t> lexicographic_ranks(const Sites& site
 CellTable cells(const AnyTriangulation& t, bool with_neighbours) {
   if (t.affine_dimension() < 0) return {};
   return with_dimension(t.affine_dimension(), [&](auto k) { return cells_of<k>(t, with_neighbours); });
+}
+
+std::vector<CellId> cell_ids(const AnyTriangulation& t) {
+  if (t.affine_dimension() < 0) return {};
+  return with_dimension(t.affine_dimension(), [&](auto k) { return cell_ids_of<k>(t); });
 }
 
 CellTable hull_facets(const AnyTriangulation& t) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "delone/mesh/cell_table.hpp"
 #include "delone/mesh/triangulation.hpp"
@@ -10,6 +11,9 @@ namespace delone {
 
 /// The finite cells, with their neighbours unless they are left out, which saves time. Cost O(cells).
 CellTable cells(const AnyTriangulation& t, bool with_neighbours = true);
+
+/// The ids of the finite cells, in the order of cells(t).
+std::vector<CellId> cell_ids(const AnyTriangulation& t);
 
 /// The facets of the convex hull: k rows each, ordered like cells; a facet's outward normal followed by its edge
 /// vectors is positively oriented, so hull edges run counter-clockwise and hull triangles do so seen from outside.
