@@ -1,5 +1,6 @@
 // delone bench: experiments of papers and comparisons with peers, run on this machine.
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -19,10 +20,30 @@ void write_file(const std::string& path, const std::string& text) {
 
 }  // namespace
 
-std::size_t parse_size(const std::string& text) {
+std::optional<std::string> find_worker(const std::string& named) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  std::vector<fs::path> places{here / "bench_worker", here / "bench/bench_worker",
+                               here.parent_path() / "build-bench/bench/bench_worker", "build-bench/bench/bench_worker"};
+  if (!named.empty()) places = {named};
+  for (const fs::path& place : places)
+    if (fs::is_regular_file(place, ignored)) return fs::absolute(place).string();
+  if (!named.empty()) throw UsageError("--worker " + named + ": there is no such program");
+  return std::nullopt;
+}
+
+std::string require_worker(const std::string& named) {
+  if (const auto found = find_worker(named)) return *found;
+  throw UsageError(
+      "there is no bench_worker beside delone or in build-bench: build it with `make bench-worker`, or name it with "
+      "--worker");
+}
+
+std::size_t parse_size(const std::string& option, const std::string& text) {
   double number = -1;
   if (!CLI::detail::lexical_cast(text, number) || !(number >= 4 && number <= 1e9) || number != std::floor(number))
-    throw UsageError("--sizes " + text + ": expected numbers of points, such as 5000,50000 or 1e5");
+    throw UsageError(option + " " + text + ": expected a number of points, such as 50000 or 1e5");
   return static_cast<std::size_t>(number);
 }
 
@@ -43,6 +64,7 @@ void add_bench(CLI::App& app, Command& chosen) {
   bench->require_subcommand(1);
   add_bench_peers(*bench, chosen);
   add_bench_devillers(*bench, chosen);
+  add_bench_fortune(*bench, chosen);
 }
 
 }  // namespace delone::cli

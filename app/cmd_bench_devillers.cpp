@@ -120,7 +120,7 @@ int run_insertions(const Options& options) {
   insertion.straight = !options.visibility;
   if (options.quick) insertion.sizes = {500, 5000};
   if (!options.sizes.empty()) insertion.sizes.clear();
-  for (const std::string& size : options.sizes) insertion.sizes.push_back(parse_size(size));
+  for (const std::string& size : options.sizes) insertion.sizes.push_back(parse_size("--sizes", size));
   if (!options.distributions.empty()) insertion.distributions = options.distributions;
   const std::size_t methods = lab::location_methods(true).size();
   const auto all = static_cast<double>(methods * insertion.sizes.size() * insertion.distributions.size());

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -21,7 +20,6 @@
 namespace delone::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using lab::Contestant;
 using lab::Workload;
 
@@ -35,21 +33,6 @@ struct Options {
 
 /// The contestants on one set and size; Delone is the first.
 using Race = std::vector<Contestant>;
-
-/// The program to run, where nobody names one: beside this one, or where the presets build it.
-std::string find_worker(const std::string& named) {
-  std::error_code ignored;
-  const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-  std::vector<fs::path> places{here / "bench_worker", here / "bench/bench_worker",
-                               here.parent_path() / "build-bench/bench/bench_worker", "build-bench/bench/bench_worker"};
-  if (!named.empty()) places = {named};
-  for (const fs::path& place : places)
-    if (fs::is_regular_file(place, ignored)) return fs::absolute(place).string();
-  if (!named.empty()) throw UsageError("--worker " + named + ": there is no such program");
-  throw UsageError(
-      "there is no bench_worker beside delone or in build-bench: build it with `make bench-worker`, or name it with "
-      "--worker");
-}
 
 /// What the worker was built from, "Delone" to "0.1.0".
 std::map<std::string, std::string> versions_of(const std::string& worker) {
@@ -95,7 +78,7 @@ std::vector<Race> races(const Options& options, const std::string& worker,
   for (const std::string& set : options.sets) {
     const int dimension = workload(set, 1).dimension;
     std::vector<std::size_t> sizes;
-    for (const std::string& size : options.sizes) sizes.push_back(parse_size(size));
+    for (const std::string& size : options.sizes) sizes.push_back(parse_size("--sizes", size));
     if (sizes.empty()) sizes = {(dimension <= 3 ? std::size_t{100'000} : 10'000) / (options.quick ? 10 : 1)};
     for (const std::size_t n : sizes) all.push_back(race_on(workload(set, n), worker, versions));
   }
@@ -196,7 +179,7 @@ std::string to_svg(const std::vector<Race>& races, int rounds, const std::map<st
 int run(const Options& options) {
   if (options.rounds < 1) throw UsageError("--rounds: expected at least 1");
   require_writable_outputs(options.csv, options.svg);
-  const std::string worker = find_worker(options.worker);
+  const std::string worker = require_worker(options.worker);
   const auto versions = versions_of(worker);
   std::vector<Race> all = races(options, worker, versions);
   const int rounds = options.quick ? 1 : options.rounds;

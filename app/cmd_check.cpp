@@ -16,7 +16,7 @@ struct Options {
   PointInput input;
   std::string cells, cells_format;
   int threads = 0;
-  bool canonical = false, json = false;
+  bool canonical = false, furthest = false, json = false;
 };
 
 std::string counts(const CheckReport& report) {
@@ -46,6 +46,7 @@ int run(const Options& options) {
   const Stopwatch checking;
   CheckOptions how;
   how.canonical = options.canonical;
+  how.furthest = options.furthest;
   how.threads = thread_count(options.threads);
   const CheckReport report = check(points.view(), cells, how);
   if (options.json) {
@@ -76,6 +77,7 @@ void add_check(CLI::App& app, Command& chosen) {
       ->option_text(" ");
   command->add_option("--cells-format", options->cells_format, "Read CELLS as this format, whatever its extension")
       ->option_text("FORMAT");
+  command->add_flag("--furthest", options->furthest, "Of furthest sites: all points in every circumscribing ball");
   command->add_flag("--canonical", options->canonical, "Also demand Delone's own choice among cospherical ties");
   command->add_flag("--json", options->json, "Print the report as JSON");
   add_threads(*command, options->threads);

@@ -27,6 +27,7 @@ class UsageError : public std::runtime_error {
 using Command = std::function<int()>;
 
 void add_triangulate(CLI::App& app, Command& chosen);
+void add_hull(CLI::App& app, Command& chosen);
 void add_info(CLI::App& app, Command& chosen);
 void add_check(CLI::App& app, Command& chosen);
 void add_nearest(CLI::App& app, Command& chosen);
@@ -34,6 +35,7 @@ void add_locate(CLI::App& app, Command& chosen);
 void add_generate(CLI::App& app, Command& chosen);
 void add_edit(CLI::App& app, Command& chosen);
 void add_bench(CLI::App& app, Command& chosen);
+void add_lab(CLI::App& app, Command& chosen);
 
 /// How points are read; the same options in every command that reads some.
 struct PointInput {

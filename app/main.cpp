@@ -50,6 +50,7 @@ int parse_and_run(int argc, char** argv) {
 
   cli::Command command;
   cli::add_triangulate(app, command);
+  cli::add_hull(app, command);
   cli::add_info(app, command);
   cli::add_check(app, command);
   cli::add_nearest(app, command);
@@ -57,6 +58,7 @@ int parse_and_run(int argc, char** argv) {
   cli::add_generate(app, command);
   cli::add_edit(app, command);
   cli::add_bench(app, command);
+  cli::add_lab(app, command);
   if (argc < 2) {
     std::fputs(app.help().c_str(), stderr);
     return cli::kBadInput;

@@ -204,4 +204,17 @@ void count(const AnyTriangulation& triangulation, Summary& summary) {
   summary.statistics = triangulation.statistics();
 }
 
+void count(const FurthestDelaunay& furthest, Summary& summary) {
+  summary.affine_dimension = furthest.affine_dimension;
+  for (const RowStatus& row : furthest.status) {
+    ++(row.status == Status::vertex      ? summary.vertices
+       : row.status == Status::duplicate ? summary.duplicates
+                                         : summary.hidden);
+  }
+  summary.cells = furthest.cells.size();
+  summary.hull_facets = furthest.hull_facets;
+  summary.memory_bytes = furthest.memory_bytes;
+  summary.statistics = furthest.statistics;
+}
+
 }  // namespace delone::cli

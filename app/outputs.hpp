@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "delone/apps/furthest.hpp"
 #include "delone/io/mesh_file.hpp"
 #include "delone/mesh/triangulation.hpp"
 #include "summary.hpp"
@@ -44,5 +45,6 @@ std::vector<std::string> status_words(const AnyTriangulation& triangulation);
 
 /// Fills in the counts.
 void count(const AnyTriangulation& triangulation, Summary& summary);
+void count(const FurthestDelaunay& furthest, Summary& summary);
 
 }  // namespace delone::cli

@@ -108,6 +108,7 @@ std::string to_json_text(const Summary& summary) {
   json["check"] = summary.check ? to_json(*summary.check) : Json(nullptr);
   json["memory_bytes"] = summary.memory_bytes;
   json["threads"] = summary.threads;
+  json["method"] = summary.method;
 
   const BuildStatistics& build = summary.statistics;
   Json seconds;
@@ -131,6 +132,8 @@ std::string to_json_text(const Summary& summary) {
       {"conflict_exact", predicates.conflict_exact},   {"conflict_symbolic", predicates.conflict_symbolic}};
   json["walk"] = {{"steps", build.walk_steps}, {"fallbacks", build.walk_fallbacks}};
   json["cells_created"] = build.cells_created;
+  json["flips"] = build.flips;
+  json["history_steps"] = build.history_steps;
   json["written"] = Json::array();
   for (const Written& written : summary.written)
     json["written"].push_back(

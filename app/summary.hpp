@@ -28,6 +28,7 @@ struct Summary {
   std::optional<CheckReport> check;
   std::size_t memory_bytes = 0;
   int threads = 1;
+  std::string method;
   BuildStatistics statistics{};
   double read_seconds = 0, export_seconds = 0, hash_seconds = 0, check_seconds = 0, total_seconds = 0;
   std::vector<Written> written;

@@ -254,6 +254,8 @@ Scene compose(const MeshView& mesh, const PictureOptions& options, std::string_v
   }
   if (points.elevation() != nullptr) {
     light(*points.elevation(), scene);
+  } else if (mesh.tone != nullptr && mesh.merged == nullptr && mesh.tone->size() == scene.triangles.size()) {
+    scene.tone = *mesh.tone;
   } else {
     const Range range = range_of_sizes(sizes);
     scene.tone.reserve(sizes.size());

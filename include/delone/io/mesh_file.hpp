@@ -21,7 +21,8 @@ struct MeshView {
   std::size_t affine_dimension = 0;                      ///< corners - 1 of the cells
   const std::vector<std::string>* row_status = nullptr;  ///< "vertex", "duplicate", "hidden" per row, when known
   const PolytopeTable* merged = nullptr;                 ///< write these instead of the simplices, where the format can
-  std::string elevation;  ///< attribute that lifts 2D points into the third coordinate of 3D formats
+  std::string elevation;                     ///< attribute that lifts 2D points into the third coordinate of 3D formats
+  const std::vector<float>* tone = nullptr;  ///< per cell, 0 to 1: what pictures colour it by, in place of its size
 };
 
 struct PictureOptions {
