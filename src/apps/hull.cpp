@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "base/groups.hpp"
+#include "base/grown.hpp"
 #include "delone/base/arithmetic.hpp"
 #include "delone/base/buffer.hpp"
 #include "delone/base/dispatch.hpp"
@@ -121,11 +122,7 @@ class Hull {
     return f;
   }
   void note(CellId f) {
-    if (raw(f) >= node_of_.size()) {
-      node_of_.reserve_more(raw(f) + std::size_t{1} - node_of_.size());
-      node_of_.resize(raw(f) + std::size_t{1});
-    }
-    node_of_[raw(f)] = static_cast<Index>(nodes_.size());
+    grown(node_of_, raw(f)) = static_cast<Index>(nodes_.size());
     nodes_.push_back({view_.vertices(f), {}, f, 0});
   }
 

@@ -11,12 +11,13 @@
 #include <array>
 #include <cstddef>
 
+#include "base/grown.hpp"
 #include "delone/base/buffer.hpp"
-#include "delone/base/dispatch.hpp"
 #include "delone/geometry/kernel.hpp"
 #include "delone/mesh/cavity.hpp"
 #include "delone/mesh/inserter.hpp"
 #include "delone/topology/complex.hpp"
+#include "mesh/one_by_one.hpp"
 
 namespace delone {
 namespace {
@@ -37,11 +38,7 @@ class Arcs {
     for (Index a = first_of(c); a != kNone; a = arcs_[a].next_of_cell) visit(arcs_[a].site);
   }
   /// Makes room for arcs of cells below `slots`.
-  void grow(std::size_t slots) {
-    if (slots <= first_of_cell_.size()) return;
-    first_of_cell_.reserve_more(slots - first_of_cell_.size());
-    first_of_cell_.resize(slots, kNone);
-  }
+  void grow(std::size_t slots) { grown(first_of_cell_, slots, kNone); }
   void add(VertexId site, CellId c) {
     Index a = free_;
     if (a != kNone) {
@@ -88,6 +85,7 @@ class Arcs {
 template <int K>
 class ConflictGraph {
  public:
+  /// Of sites 0 to count - 1 and the first cells.
   ConflictGraph(Mesh& mesh, std::size_t count)
       : mesh_(&mesh), complex_(mesh.complex), kernel_(mesh.sites), inserter_(mesh), arcs_(count) {
     seen_.resize(count, kNoCell);
@@ -149,17 +147,7 @@ class ConflictGraph {
 }  // namespace
 
 void build_by_conflict_graph(Mesh& mesh, std::size_t count, const Progress& progress) {
-  const int k = mesh.complex.dimension();
-  mesh.complex.reserve_more(static_cast<std::size_t>(k) + 2, mesh.sites.size());
-  mesh.complex.grow_vertices(mesh.sites.size());
-  with_dimension<1>(k, [&](auto dimension) {
-    make_first_cells<dimension>(mesh);
-    ConflictGraph<dimension> graph(mesh, count);
-    for (std::size_t i = dimension + std::size_t{1}; i < count; ++i) {
-      tell(progress, i, count);
-      graph.insert(VertexId{static_cast<Index>(i)});
-    }
-  });
+  insert_one_by_one<ConflictGraph>(mesh, count, progress, count);
 }
 
 }  // namespace delone

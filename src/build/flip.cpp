@@ -26,14 +26,14 @@
 #include <cstddef>
 #include <span>
 
+#include "base/grown.hpp"
 #include "delone/base/buffer.hpp"
-#include "delone/base/dispatch.hpp"
 #include "delone/geometry/kernel.hpp"
 #include "delone/mesh/cavity.hpp"
-#include "delone/mesh/inserter.hpp"
 #include "delone/topology/complex.hpp"
 #include "geometry/furthest_kernel.hpp"
 #include "mesh/history.hpp"
+#include "mesh/one_by_one.hpp"
 
 namespace delone {
 namespace {
@@ -47,8 +47,8 @@ class Flipper {
 
  public:
   /// @param all_are_vertices  no site is redundant, so that none is asked about it
-  Flipper(Mesh& mesh, bool all_are_vertices)
-      : mesh_(&mesh), complex_(mesh.complex), kernel_(mesh.sites), all_are_vertices_(all_are_vertices) {
+  Flipper(Mesh& mesh, FlipForm form, bool all_are_vertices)
+      : mesh_(&mesh), complex_(mesh.complex), kernel_(mesh.sites), form_(form), all_are_vertices_(all_are_vertices) {
     for (std::size_t s = 0; s < complex_.slot_count(); ++s) {
       const CellId c{static_cast<Index>(s)};
       history_.add(c, complex_.vertices(c));
@@ -58,7 +58,7 @@ class Flipper {
   Flipper(const Flipper&) = delete;
   Flipper& operator=(const Flipper&) = delete;
 
-  void insert(VertexId p, FlipForm form) {
+  void insert(VertexId p) {
     const CellId start = locate(p);
     if (start == kNoCell) return;
     p_ = p;
@@ -67,8 +67,8 @@ class Flipper {
     link_.clear();
     flip(start, {});
     if constexpr (K == 2) {
-      if (form == FlipForm::loop) return flip_around();
-      if (form == FlipForm::legalize) return legalize_all();
+      if (form_ == FlipForm::loop) return flip_around();
+      if (form_ == FlipForm::legalize) return legalize_all();
     }
     while (!link_.empty()) flip_at(pop());
   }
@@ -107,16 +107,13 @@ class Flipper {
   /// Asked at most once of each cell. A ghost cell whose facet's hyperplane holds p asks the finite cell behind, which
   /// may be gone by then: if so, it was in conflict.
   bool conflicts(CellId c) {
-    if (raw(c) >= verdicts_.size()) {
-      verdicts_.reserve_more(raw(c) + std::size_t{1} - verdicts_.size());
-      verdicts_.resize(raw(c) + std::size_t{1}, {kGhost, false});
-    }
-    if (verdicts_[raw(c)].asked_by != p_) {
+    Verdict& verdict = grown(verdicts_, raw(c), {kGhost, false});
+    if (verdict.asked_by != p_) {
       const bool conflict = in_conflict(
           complex_, kernel_, c, p_, [&](CellId f) { return has_p(f) || kernel_.conflict(complex_.vertices(f), p_); });
-      verdicts_[raw(c)] = {p_, conflict};
+      verdict = {p_, conflict};
     }
-    return verdicts_[raw(c)].conflict;
+    return verdict.conflict;
   }
 
   /// Whether facet i of cell c, which p is in conflict with, faces p.
@@ -270,6 +267,7 @@ class Flipper {
   Mesh* mesh_;
   View complex_;
   Lift kernel_;
+  FlipForm form_;
   bool all_are_vertices_;
   History<K> history_;
   VertexId p_ = kGhost;
@@ -278,30 +276,19 @@ class Flipper {
   Buffer<Verdict> verdicts_;  // per cell slot
 };
 
-template <int K, class Lift>
-void flip_in(Mesh& mesh, std::size_t count, FlipForm form, bool all_are_vertices, const Progress& progress) {
-  mesh.complex.reserve_more(K + 2, mesh.sites.size());
-  mesh.complex.grow_vertices(mesh.sites.size());
-  make_first_cells<K>(mesh);
-  Flipper<K, Lift> flipper(mesh, all_are_vertices);
-  for (std::size_t i = K + 1; i < count; ++i) {
-    tell(progress, i, count);
-    flipper.insert(VertexId{static_cast<Index>(i)}, form);
-  }
-}
+template <int K>
+using NearestFlipper = Flipper<K, Kernel<K>>;
+template <int K>
+using FurthestFlipper = Flipper<K, FurthestKernel<K>>;
 
 }  // namespace
 
 void build_by_flips(Mesh& mesh, std::size_t count, FlipForm form, const Progress& progress) {
-  with_dimension<1>(mesh.complex.dimension(), [&](auto dimension) {
-    flip_in<dimension, Kernel<dimension>>(mesh, count, form, !mesh.sites.weighted(), progress);
-  });
+  insert_one_by_one<NearestFlipper>(mesh, count, progress, form, !mesh.sites.weighted());
 }
 
 void build_furthest_by_flips(Mesh& mesh, std::size_t count, const Progress& progress) {
-  with_dimension<1>(mesh.complex.dimension(), [&](auto dimension) {
-    flip_in<dimension, FurthestKernel<dimension>>(mesh, count, FlipForm::stack, false, progress);
-  });
+  insert_one_by_one<FurthestFlipper>(mesh, count, progress, FlipForm::stack, false);
 }
 
 }  // namespace delone

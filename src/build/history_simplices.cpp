@@ -13,12 +13,13 @@
 #include <array>
 #include <cstddef>
 
+#include "base/grown.hpp"
 #include "delone/base/buffer.hpp"
-#include "delone/base/dispatch.hpp"
 #include "delone/geometry/kernel.hpp"
 #include "delone/mesh/cavity.hpp"
 #include "delone/mesh/inserter.hpp"
 #include "delone/topology/complex.hpp"
+#include "mesh/one_by_one.hpp"
 
 namespace delone {
 namespace {
@@ -91,11 +92,7 @@ class Simplices {
   void add(CellId c) {
     Node node{complex_.vertices(c), {}, {}, c, 0};
     if (K > 1) node.plane = kernel_.hyperplane(node.vertices);
-    if (raw(c) >= node_of_.size()) {
-      node_of_.reserve_more(raw(c) + std::size_t{1} - node_of_.size());
-      node_of_.resize(raw(c) + std::size_t{1});
-    }
-    node_of_[raw(c)] = static_cast<Index>(nodes_.size());
+    grown(node_of_, raw(c)) = static_cast<Index>(nodes_.size());
     nodes_.push_back(node);
   }
 
@@ -141,17 +138,7 @@ class Simplices {
 }  // namespace
 
 void build_by_history_simplices(Mesh& mesh, std::size_t count, const Progress& progress) {
-  const int k = mesh.complex.dimension();
-  mesh.complex.reserve_more(static_cast<std::size_t>(k) + 2, mesh.sites.size());
-  mesh.complex.grow_vertices(mesh.sites.size());
-  with_dimension<1>(k, [&](auto dimension) {
-    make_first_cells<dimension>(mesh);
-    Simplices<dimension> simplices(mesh);
-    for (std::size_t i = dimension + std::size_t{1}; i < count; ++i) {
-      tell(progress, i, count);
-      simplices.insert(VertexId{static_cast<Index>(i)});
-    }
-  });
+  insert_one_by_one<Simplices>(mesh, count, progress);
 }
 
 }  // namespace delone

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <span>
 
+#include "base/grown.hpp"
 #include "delone/base/buffer.hpp"
 #include "delone/geometry/kernel.hpp"
 #include "delone/topology/complex.hpp"
@@ -48,11 +49,7 @@ class History {
 
   /// Notes a cell that has come. Its successors will be named by `succeed`.
   void add(CellId c, const Cell& vertices) {
-    if (raw(c) >= node_of_.size()) {
-      node_of_.reserve_more(raw(c) + std::size_t{1} - node_of_.size());
-      node_of_.resize(raw(c) + std::size_t{1});
-    }
-    node_of_[raw(c)] = static_cast<Index>(nodes_.size());
+    grown(node_of_, raw(c)) = static_cast<Index>(nodes_.size());
     nodes_.push_back({vertices, raw(c), 0});
   }
   /// The `count` nodes from `first` on took the place of `node`.

@@ -28,10 +28,8 @@ TEST(Fortune, every_method_runs_where_it_serves_and_makes_the_same_cells) {
 }
 
 TEST(Fortune, what_would_take_too_long_is_left_out) {
-  const std::vector<MethodRun> runs = run_methods({.methods = {Method::shelling},
-                                                   .dimensions = {2},
-                                                   .sizes = {50, 100000, 1000000},
-                                                   .limit = 0.01});
+  const std::vector<MethodRun> runs =
+      run_methods({.methods = {Method::shelling}, .dimensions = {2}, .sizes = {50, 100000, 1000000}, .limit = 0.01});
   ASSERT_EQ(runs.size(), 3U);
   EXPECT_FALSE(runs[0].skipped);
   EXPECT_TRUE(runs[2].skipped);

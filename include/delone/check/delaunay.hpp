@@ -28,7 +28,8 @@ struct CheckReport {
 };
 
 /// Checks any program's triangulation of `points`: positive volumes, facets matched on opposite sides, empty
-/// orthospheres (or full ones), hull convex and covered exactly once, every row a vertex, a duplicate of one, or redundant by weight.
+/// orthospheres (or full ones), hull convex and covered exactly once, every row a vertex, a duplicate of one, or
+/// redundant by weight.
 /// @param cells  rows of `points`, corners = affine dimension + 1, orientation free; neighbours are not looked at
 /// @throws InputError when a point is not finite, or furthest sites have weights
 CheckReport check(PointsView points, const CellTable& cells, const CheckOptions& options = {});
