@@ -32,7 +32,7 @@ template <class T>
 #ifdef __FMA__
 [[gnu::always_inline]] inline double fused(double a, double b, double c) { return std::fma(a, b, c); }
 [[gnu::always_inline]] inline Pair fused(Pair a, Pair b, Pair c) {
-  return {std::fma(a[0], b[0], c[0]), std::fma(a[1], b[1], c[1])};
+  return Pair{std::fma(a[0], b[0], c[0]), std::fma(a[1], b[1], c[1])};
 }
 #endif
 
