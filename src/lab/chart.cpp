@@ -14,8 +14,9 @@ constexpr double kPanelWidth = 380, kOnlyPanelWidth = 640, kPanelHeight = 300;
 constexpr double kLeft = 62, kRight = 14, kTop = 34, kBottom = 48;  // between a panel's edge and its axes
 constexpr double kHead = 40, kLegendRow = 22, kDigitWidth = 6.5;
 
-/// Told apart also by readers who see few colours (Okabe and Ito).
-constexpr std::array<const char*, 6> kColours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
+/// Told apart also by readers who see few colours: six of Okabe and Ito, then others for charts of many lines.
+constexpr std::array<const char*, 12> kColours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9",
+                                               "#000000", "#882255", "#999933", "#332288", "#8C564B", "#7F7F7F"};
 
 std::string escaped(const std::string& text) {
   std::string result;
