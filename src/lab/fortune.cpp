@@ -38,16 +38,15 @@ constexpr std::array<Method, kSourceLines.size()> kCounted{
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-void measure(MethodRun& run, PointsView points, std::uint64_t seed) {
-  constexpr double kEnough = 0.1;
+void measure(MethodRun& run, PointsView points, const FortuneOptions& options) {
   int builds = 0;
   const double start = processor_seconds();
   double seconds = 0;
-  while (seconds < kEnough) {
-    run.cells = build(points, {.method = run.method, .seed = seed}).cell_count();
+  do {
+    run.cells = build(points, {.method = run.method, .seed = options.seed}).cell_count();
     ++builds;
     seconds = processor_seconds() - start;
-  }
+  } while (seconds < options.enough);
   run.seconds = seconds / builds;
 }
 
@@ -106,7 +105,7 @@ std::vector<MethodRun> run_methods(const FortuneOptions& options) {
             run.skipped = true;
           } else {
             const io::Generated made = io::generate(kind, n, dimension, options.seed);
-            measure(run, PointsView(made.coordinates, dimension), options.seed);
+            measure(run, PointsView(made.coordinates, dimension), options);
           }
           if (options.on_run) options.on_run(run);
           row.push_back(std::move(run));

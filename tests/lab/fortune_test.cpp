@@ -12,13 +12,16 @@ namespace delone::lab {
 namespace {
 
 TEST(Fortune, every_method_runs_where_it_serves_and_makes_the_same_cells) {
-  const std::vector<MethodRun> runs =
-      run_methods({.methods = all_methods(), .kinds = {"uniform", "sphere"}, .dimensions = {2, 3}, .sizes = {100, 50}});
+  const std::vector<MethodRun> runs = run_methods({.methods = all_methods(),
+                                                   .kinds = {"uniform", "sphere"},
+                                                   .dimensions = {2, 3},
+                                                   .sizes = {100, 50},
+                                                   .enough = 0});
   std::map<std::tuple<std::string, int, std::size_t>, std::size_t> cells;
   std::map<int, int> methods_of;
   for (const MethodRun& run : runs) {
     ASSERT_FALSE(run.skipped);
-    EXPECT_GT(run.seconds, 0.0);
+    EXPECT_GE(run.seconds, 0.0);
     const auto [known, is_new] = cells.emplace(std::tuple(run.kind, run.dimension, run.points), run.cells);
     EXPECT_EQ(known->second, run.cells) << info(run.method).name;
     ++methods_of[run.dimension];

@@ -20,7 +20,7 @@ struct MethodRun {
   std::string kind;
   int dimension = 2;
   std::size_t points = 0;
-  double seconds = 0;  ///< processor time of one build, the mean of as many as take a tenth of a second
+  double seconds = 0;  ///< processor time of one build, the mean of as many as take long enough to be measured
   std::size_t cells = 0;
   bool skipped = false;  ///< it would have taken longer than the limit, judging by the size before
 };
@@ -30,7 +30,8 @@ struct FortuneOptions {
   std::vector<std::string> kinds{"uniform"};
   std::vector<int> dimensions{2, 3, 4, 5};
   std::vector<std::size_t> sizes{500, 1000, 5000, 10000, 50000};
-  double limit = 20;  ///< seconds that an entry may take
+  double limit = 20;    ///< seconds that an entry may take
+  double enough = 0.1;  ///< seconds that builds of an entry are repeated for
   std::uint64_t seed = 1;
   std::function<void(const MethodRun&)> on_run = nullptr;  ///< hears of every entry when it is done
 };
