@@ -37,9 +37,10 @@ ConvexHull hull_of(const io::PointTable& points, int threads) {
   return hull;
 }
 
-std::vector<std::string> corner_words(std::size_t rows, const ConvexHull& hull) {
-  std::vector<std::string> words(rows, "inside");
-  for (const Index row : hull.corners) words[row] = "corner";
+/// Corners are the vertices of the facets; what is none is hidden by them.
+std::vector<std::string> status_words(std::size_t rows, const ConvexHull& hull) {
+  std::vector<std::string> words(rows, word(Status::hidden));
+  for (const Index row : hull.corners) words[row] = word(Status::vertex);
   return words;
 }
 
@@ -88,7 +89,7 @@ int run(const Options& options) {
   const Stopwatch finding;
   const ConvexHull hull = hull_of(points, thread_count(options.threads));
   times.hull = finding.seconds();
-  const std::vector<std::string> status = corner_words(points.size(), hull);
+  const std::vector<std::string> status = status_words(points.size(), hull);
   write_meshes(outputs,
                io::MeshView{.points = points,
                             .cells = hull.facets,

@@ -59,8 +59,10 @@ void require_elevation(const io::PointTable& points, const std::string& name) {
 /// What can be refused before a file is read. @param dimension  0 when it is not known yet
 void require_method(const Options& options, int dimension) {
   const Method method = method_named(options.method);
-  if (options.colour == "age" && (options.furthest || options.ties != "canonical"))
-    throw UsageError("--colour age is for the cells of a method: leave out --furthest and --ties");
+  if (options.colour == "age" &&
+      (options.furthest || options.merged || options.ties != "canonical" || !options.elevation.empty()))
+    throw UsageError(
+        "--colour age is for the cells of a method: leave out --furthest, --merged, --ties and --elevation");
   if (options.furthest && options.ties != "canonical") throw UsageError("--furthest and --ties do not go together");
   if (options.furthest && (method != Method::automatic || options.order != "automatic"))
     throw UsageError("--furthest has a method of its own; leave out --method and --order");
@@ -110,7 +112,6 @@ Exported triangulate(const io::PointTable& points, const std::vector<Output>& ou
   how.progress = bar.callback();
   how.method = method_named(options.method);
   how.order = order_named(options.order);
-  if (how.method == Method::automatic && how.order != Order::automatic) how.method = Method::cavity;
   how.seed = options.seed;
   Exported result;
   if (options.furthest) {
@@ -128,7 +129,10 @@ Exported triangulate(const io::PointTable& points, const std::vector<Output>& ou
     result.cells = table(triangulation, want_neighbours(outputs));
   }
   if (!outputs.empty()) result.row_status = status_words(triangulation);
-  if (options.colour == "age") result.tone = ages(triangulation, how.method);
+  if (options.colour == "age") {
+    const bool inserts = how.order != Order::automatic || triangulation.weighted();
+    result.tone = ages(triangulation, how.method == Method::automatic && inserts ? Method::cavity : how.method);
+  }
   if (options.merged) {
     result.merged = merged_cells(triangulation);
     summary.merged_cells = result.merged.size();

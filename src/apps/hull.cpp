@@ -21,6 +21,7 @@
 
 #include "base/groups.hpp"
 #include "base/grown.hpp"
+#include "base/tell_every.hpp"
 #include "delone/base/arithmetic.hpp"
 #include "delone/base/buffer.hpp"
 #include "delone/base/dispatch.hpp"
@@ -55,7 +56,7 @@ class Hull {
     complex_.grow_vertices(sites_->size());
     make_simplex(ids);
     for (std::size_t i = D + 1; i < ids.size(); ++i) {
-      tell(progress, i, ids.size());
+      tell_every(insertions_a_call(D), progress, i, ids.size());
       if (const CellId f = find(ids[i]); f != kNoCell) replace_visible(ids[i], f);
     }
   }
@@ -122,7 +123,7 @@ class Hull {
     return f;
   }
   void note(CellId f) {
-    grown(node_of_, raw(f)) = static_cast<Index>(nodes_.size());
+    grown(node_of_, raw(f)) = next_id(nodes_.size());
     nodes_.push_back({view_.vertices(f), {}, f, 0});
   }
 
@@ -223,12 +224,16 @@ class Hull {
     }
   }
 
-  std::vector<CellId> star_of(VertexId v) const {
-    std::vector<CellId> star{view_.incident_cell(v)};
+  std::vector<CellId> star_of(VertexId v) {
+    ++epoch_;
+    std::vector<CellId> star;
+    const auto take = [&](CellId f) {
+      if (std::exchange(nodes_[node_of_[raw(f)]].visited, epoch_) != epoch_) star.push_back(f);
+    };
+    take(view_.incident_cell(v));
     for (std::size_t next = 0; next < star.size(); ++next) {
       for (int i = 0; i <= K; ++i) {
-        const CellId across = view_.cell(view_.twin(star[next], i));
-        if (view_.vertex(star[next], i) != v && std::ranges::find(star, across) == star.end()) star.push_back(across);
+        if (view_.vertex(star[next], i) != v) take(view_.cell(view_.twin(star[next], i)));
       }
     }
     return star;

@@ -44,7 +44,7 @@ class Arcs {
     if (a != kNone) {
       free_ = arcs_[a].next_of_cell;
     } else {
-      a = static_cast<Index>(arcs_.size());
+      a = next_id(arcs_.size());
       arcs_.push_back({});
     }
     Index& first = first_of_site_[raw(site)];

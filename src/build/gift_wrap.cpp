@@ -20,6 +20,7 @@
 #include <array>
 #include <cstddef>
 
+#include "base/tell_every.hpp"
 #include "delone/base/assert.hpp"
 #include "delone/base/buffer.hpp"
 #include "delone/base/dispatch.hpp"
@@ -105,7 +106,8 @@ class Wrapper {
   void wrap(const Progress& progress) {
     add(Sinker<K>(tree_, kernel_).first_cell());
     for (std::size_t step = 1; !open_.empty(); ++step) {
-      tell(progress, step, step * count_ / mesh_->vertex_count);  // the share of the sites that are reached
+      tell_every(insertions_a_call(K), progress, step,
+                 step * count_ / mesh_->vertex_count);  // the share of the sites that are reached
       const FacetId f = open_[open_.size() - 1];
       open_.resize(open_.size() - 1);
       if (complex_.twin(f) != kNoFacet) continue;

@@ -92,7 +92,7 @@ class Simplices {
   void add(CellId c) {
     Node node{complex_.vertices(c), {}, {}, c, 0};
     if (K > 1) node.plane = kernel_.hyperplane(node.vertices);
-    grown(node_of_, raw(c)) = static_cast<Index>(nodes_.size());
+    grown(node_of_, raw(c)) = next_id(nodes_.size());
     nodes_.push_back(node);
   }
 

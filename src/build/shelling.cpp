@@ -30,6 +30,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/tell_every.hpp"
 #include "delone/base/assert.hpp"
 #include "delone/base/buffer.hpp"
 #include "delone/base/dispatch.hpp"
@@ -67,17 +68,18 @@ class Sheller {
     Sinker<K> sinker(tree_, kernel_);
     const Cell first = sinker.first_cell();
     for (std::size_t i = 0; i < count_; ++i) {
-      tell(progress, i, 2 * count_);
+      tell_every(insertions_a_call(K), progress, i, 2 * count_);
       const VertexId v = tree_.in_order()[i];
       if (std::ranges::find(first, v) == first.end()) await(first, v, sinker);
     }
     begin(first);
     for (std::size_t step = 1; !queue_.empty(); ++step) {
-      tell(progress, step, 2 * step * count_ / (count_ + mesh_->vertex_count));
+      tell_every(insertions_a_call(K), progress, step, 2 * step * count_ / (count_ + mesh_->vertex_count));
       const Index next = pop();
       if (is_due(events_[next])) take(events_[next].crossing.cell, events_[next].ghost);
       release(next);
     }
+    for (const CellId ghost : retired_) complex_.release(ghost);
   }
 
  private:
@@ -201,11 +203,11 @@ class Sheller {
         if (gone[j] == kNoCell) around[i][j] = complex_.twin(gone[i], complex_.slot_of(gone[i], cell[j]));
       }
     }
-    for (const CellId ghost : gone) {
-      if (ghost != kNoCell) complex_.destroy(ghost);
-    }
     const CellId c = complex_.create();
     complex_.set_vertices(c, cell);
+    for (const CellId ghost : gone) {
+      if (ghost != kNoCell) retire(ghost);
+    }
     for (const VertexId v : cell) mesh_->vertex_count += complex_.has_vertex(v) ? 0 : 1;
     complex_.settle(c);
     ++mesh_->statistics.cells_created;
@@ -231,8 +233,22 @@ class Sheller {
     }
   }
 
+  /// Ghost cells that leave wait for new facets of the horizon: so the ids of finite cells ascend as they come.
+  void retire(CellId ghost) {
+    complex_.discount_ghost(ghost);
+    complex_.set_vertex(ghost, complex_.slot_of(ghost, kGhost),
+                        VertexId{0});  // no ghost cell, so no event is due on it
+    retired_.push_back(ghost);
+  }
+  CellId new_ghost() {
+    if (retired_.empty()) return complex_.create();
+    const CellId ghost = retired_.back();
+    retired_.pop_back();
+    return ghost;
+  }
+
   CellId ghost_on(CellId c, int i) {
-    const CellId ghost = complex_.create();
+    const CellId ghost = new_ghost();
     complex_.set_vertices(ghost, outside_of<K>(complex_.vertices(c), i));
     complex_.count_ghost(ghost);
     complex_.settle(ghost);
@@ -252,6 +268,7 @@ class Sheller {
   std::vector<Event> events_;
   std::vector<Index> unused_;  // places among these
   std::vector<Index> queue_;   // a heap of them
+  std::vector<CellId> retired_;
 };
 
 }  // namespace

@@ -49,7 +49,7 @@ class History {
 
   /// Notes a cell that has come. Its successors will be named by `succeed`.
   void add(CellId c, const Cell& vertices) {
-    grown(node_of_, raw(c)) = static_cast<Index>(nodes_.size());
+    grown(node_of_, raw(c)) = next_id(nodes_.size());
     nodes_.push_back({vertices, raw(c), 0});
   }
   /// The `count` nodes from `first` on took the place of `node`.

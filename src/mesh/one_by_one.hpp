@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "base/tell_every.hpp"
 #include "delone/base/dispatch.hpp"
 #include "delone/base/progress.hpp"
 #include "delone/mesh/inserter.hpp"
@@ -21,7 +22,7 @@ void insert_one_by_one(Mesh& mesh, std::size_t count, const Progress& progress, 
     make_first_cells<kDimension>(mesh);
     Method<kDimension> method(mesh, arguments...);
     for (std::size_t i = kDimension + 1; i < count; ++i) {
-      tell(progress, i, count);
+      tell_every(insertions_a_call(kDimension), progress, i, count);
       method.insert(VertexId{static_cast<Index>(i)});
     }
   });

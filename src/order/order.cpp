@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array<OrderInfo, 8> kOrders{{
     {Order::automatic, "automatic", "the usual one of the method"},
-    {Order::brio, "brio", "random rounds of growing size, each along Hilbert's curve"},
+    {Order::brio, "brio", "rounds of growing size, each along Hilbert's curve"},
     {Order::hilbert, "hilbert", "along Hilbert's curve"},
     {Order::random, "random", "any order, each as likely; see --seed"},
     {Order::lexicographic, "lexicographic", "by the first coordinate, then the second, ..."},
@@ -43,8 +43,9 @@ std::vector<Index> bucket_order(PointsView points, std::span<const int> axes, st
       high[j] = std::max(high[j], x);
     }
   }
-  const double cells = std::max(1.0, std::floor(std::pow(static_cast<double>(rows.size()) / kPointsPerCell,
-                                                         1.0 / static_cast<double>(axes.size()))));
+  const double per_axis =
+      std::pow(static_cast<double>(rows.size()) / kPointsPerCell, 1.0 / static_cast<double>(axes.size()));
+  const double cells = std::max(1.0, std::floor(per_axis + 1e-9));  // a root that is whole may come out a little less
   std::vector<std::uint64_t> key(points.size());
   for (const Index row : rows) {
     bool backwards = false;
@@ -54,8 +55,8 @@ std::vector<Index> bucket_order(PointsView points, std::span<const int> axes, st
       const double share = extent > 0.0 ? (0.5 * x - 0.5 * low[j]) / extent : 0.0;
       auto cell = static_cast<std::uint64_t>(std::min(share * cells, cells - 1.0));
       if (backwards) cell = static_cast<std::uint64_t>(cells) - 1 - cell;
-      backwards ^= cell % 2 == 1;
       key[row] = key[row] * static_cast<std::uint64_t>(cells) + cell;
+      backwards = key[row] % 2 == 1;
     }
   }
   std::ranges::stable_sort(rows, {}, [&](Index row) { return key[row]; });

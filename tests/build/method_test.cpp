@@ -107,6 +107,16 @@ TEST(Method, what_a_method_does_not_serve_is_refused_naming_those_that_serve) {
   EXPECT_THROW(build(points.view(), {.method = Method::gift_wrap, .order = Order::random}), InputError);
 }
 
+TEST(Method, a_caller_may_cancel_every_method) {
+  for (const PointSet& points : {uniform(2, 600, 1), uniform(3, 600, 1), uniform(5, 40, 1)}) {
+    for (const MethodInfo& method : methods()) {
+      if (!serves(method, points)) continue;
+      EXPECT_THROW(build(points.view(), {.progress = [](double) { return false; }, .method = method.method}), Cancelled)
+          << method.name;
+    }
+  }
+}
+
 TEST(Method, names_lead_back_to_methods) {
   for (const MethodInfo& method : methods()) EXPECT_EQ(method_named(method.name), method.method);
   for (const OrderInfo& order : orders()) EXPECT_EQ(order_named(order.name), order.order);

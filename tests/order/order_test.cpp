@@ -60,6 +60,20 @@ TEST(Order, buckets_are_walked_there_and_back) {
   }
 }
 
+// 4 x 4 x 4 cells with two points each: rows and layers are joined end to end.
+TEST(Order, buckets_touch_the_one_before_in_space_too) {
+  PointSet points{"cells", 3, {}, {}};
+  for (int i = 0; i < 128; ++i) {
+    for (const int x : {i / 2 % 4, i / 8 % 4, i / 32}) points.coordinates.push_back(x);
+  }
+  const std::vector<Index> rows = ordered_rows(Order::bucket, points.view(), axes_of(points));
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const auto a = points.view()[rows[i - 1]];
+    const auto b = points.view()[rows[i]];
+    EXPECT_LE(std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]), 1.0) << i;
+  }
+}
+
 // At any time the points so far are spread evenly: of the first 4^k no more than a few share one of 4^k boxes.
 TEST(Order, quaternary_order_fills_boxes_evenly) {
   const PointSet points = uniform(2, 20000, 1);
