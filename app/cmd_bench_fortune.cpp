@@ -168,8 +168,13 @@ int run(const Options& options) {
   ProgressBar bar("measuring");
   const Progress progress = bar.callback();
   double done = 0;
-  const auto all =
-      static_cast<double>(how.methods.size() * how.kinds.size() * how.dimensions.size() * how.sizes.size());
+  double all = 0;
+  for (const Method method : how.methods) {
+    for (const int d : how.dimensions) {
+      if (d >= info(method).least_dimension && d <= info(method).most_dimension)
+        all += static_cast<double>(how.kinds.size() * how.sizes.size());
+    }
+  }
   how.on_run = [&](const MethodRun&) {
     if (!progress(std::min(1.0, ++done / all))) throw Cancelled();
   };

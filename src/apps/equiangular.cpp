@@ -4,9 +4,8 @@
 //     that cuts off an arc of s <= pi gives s/2 and pi - s/2, one on each side of it. The latter are at least pi/2, the
 //     former at most, and each fixes the other: the sorted angles are largest when the sorted arcs s of the k - 3
 //     diagonals are, or their lengths, which grow with s.
-// (2) The best triangulation has two ears only (triangles with two sides of the polygon). Let the short ears of one
-// with
-//     three ears or more, those that span at most pi, be x1 >= x2 >= ...; at most one ear is not short.
+// (2) The best triangulation has two ears only (triangles with two sides of the polygon). Let the short ears of
+//     one with three ears or more, those that span at most pi, be x1 >= x2 >= ...; at most one ear is not short.
 //     With all ears short, keep those of x1 and x2 and grow from one to the other, a corner at a time: each further
 //     diagonal spans more than x1 on one side and more than x2 on the other. So the new sequence is x2, x1 and others
 //     that are larger than x2, while the old one has three values of at most x2, x2 and x1: it is smaller, in its third

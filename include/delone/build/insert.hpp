@@ -32,7 +32,8 @@ Inserted insert(AnyTriangulation& t, std::span<const double> point, double weigh
 
 /// Inserts all rows of `batch`, which become rows row_count() and on. Statuses are told by t.status(row).
 /// @throws InputError when dimension or weights do not fit, for NaN and infinity; Cancelled; std::bad_alloc. Then `t`
-/// is as it was: the work is done on a copy. Cost: O(cells) for the copy, then as for building.
+/// is as it was: the work is done on a copy. Cost: O(cells) for the copy, then as for building. Of the options method,
+/// order and seed are not looked at.
 void insert(AnyTriangulation& t, PointsView batch, const BuildOptions& options = {});
 
 }  // namespace delone
