@@ -9,6 +9,7 @@
 #include "delone/base/buffer.hpp"
 #include "delone/base/dispatch.hpp"
 #include "delone/base/random.hpp"
+#include "mesh/cospherical.hpp"
 
 namespace delone {
 namespace {
@@ -149,14 +150,6 @@ CellTable hull_facets_of(const AnyTriangulation& t) {
     table.vertices.insert(table.vertices.end(), rows.begin(), rows.end());
   }
   return table;
-}
-
-template <int K>
-bool on_common_orthosphere(const Kernel<K>& kernel, const Complex& complex, CellId c, VertexId apex) {
-  typename Kernel<K>::Cell cell;
-  for (int i = 0; i <= K; ++i) cell[static_cast<std::size_t>(i)] = complex.vertex(c, i);
-  const int sign = kernel.filtered_conflict(cell, apex);
-  return sign == 0 || (sign == Kernel<K>::kUnsure && kernel.slow_conflict_sign(cell, apex).sign == 0);
 }
 
 template <int K>

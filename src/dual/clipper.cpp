@@ -1,0 +1,397 @@
+#include "dual/clipper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace delone::dual_detail {
+namespace {
+
+constexpr Index kWindow = kNone - 1;  // beyond an edge of the window around some cells
+
+Corner seen_from(const Point3& middle, const std::array<double, 2>& at) {
+  return {{at[0] - middle[0], at[1] - middle[1]}, kNone};
+}
+
+/// Does the loop go around x? Rounded: pieces and their holes lie apart.
+bool goes_around(std::span<const Corner> loop, const std::array<double, 2>& x) {
+  bool inside = false;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const auto& a = loop[i].at;
+    const auto& b = loop[i + 1 == loop.size() ? 0 : i + 1].at;
+    if ((a[1] > x[1]) == (b[1] > x[1])) continue;
+    inside ^= x[0] < a[0] + (x[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+  }
+  return inside;
+}
+
+bool reaches_over(const Polygon3& polygon, const Plane& side) {
+  return std::ranges::any_of(polygon, [&](const Point3& x) { return dot(side.normal, x) > side.offset; });
+}
+
+}  // namespace
+
+Plane bisector(std::span<const double> near, double near_weight, std::span<const double> far, double far_weight,
+               const Point3& middle, Index across) {
+  Plane plane{{}, 0.5 * (near_weight - far_weight), across};
+  for (std::size_t axis = 0; axis < near.size(); ++axis) {
+    plane.normal[axis] = far[axis] - near[axis];
+    plane.offset += plane.normal[axis] * (0.5 * ((near[axis] - middle[axis]) + (far[axis] - middle[axis])));
+  }
+  return plane;
+}
+
+Frame::Frame(const Region& region) : dimension(region.dimension()) {
+  middle = 0.5 * region.low() + 0.5 * region.high();
+  low = region.low() - middle;
+  high = region.high() - middle;
+  bound = {{}, std::sqrt(std::max(dot(low, low), dot(high, high)))};
+  for (const HalfSpace& side : region.sides())
+    sides.push_back({side.normal, side.offset - dot(side.normal, middle), kNone});
+  for (const Ring& ring : region.rings()) {
+    for (const auto& corner : ring) loops.corners.push_back(seen_from(middle, corner));
+    loops.ends.push_back(loops.corners.size());
+  }
+  for (const auto& face : region.faces()) {
+    Polygon3& polygon = faces.emplace_back(face);
+    for (Point3& corner : polygon) corner = corner - middle;
+  }
+}
+
+void CellWriter::add(std::span<const Corner> loop) {
+  for (const Corner& corner : loop) {
+    shapes_->corners.insert(shapes_->corners.end(), corner.at.begin(), corner.at.end());
+    shapes_->across.push_back(corner.across);
+  }
+  shapes_->loops.push_back(shapes_->across.size());
+}
+
+void CellWriter::add_without_short_edges(std::span<const Corner> loop) {
+  const double narrow = kNarrow * frame_.bound.radius;
+  kept_.clear();
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const auto& [x, y] = loop[i].at;
+    const auto& [next_x, next_y] = loop[i + 1 == loop.size() ? 0 : i + 1].at;
+    if (std::hypot(next_x - x, next_y - y) > narrow) kept_.push_back(loop[i]);
+  }
+  add(kept_.size() >= 3 ? std::span<const Corner>(kept_) : loop);
+}
+
+void CellWriter::add(const Loops& loops) {
+  const auto loop = [&](std::size_t l) {
+    const std::size_t begin = l == 0 ? 0 : loops.ends[l - 1];
+    return std::span(loops.corners).subspan(begin, loops.ends[l] - begin);
+  };
+  if (loops.ends.size() == 1) return add_without_short_edges(loop(0));
+  std::vector<double> area(loops.ends.size());
+  for (std::size_t l = 0; l < area.size(); ++l) area[l] = doubled_area(loop(l).data(), loop(l).data() + loop(l).size());
+  const auto piece_of = [&](std::size_t hole) {
+    std::size_t best = area.size();
+    for (std::size_t l = 0; l < area.size(); ++l) {
+      if (area[l] > 0 && (best == area.size() || area[l] < area[best]) && goes_around(loop(l), loop(hole)[0].at))
+        best = l;
+    }
+    return best;
+  };
+  std::vector<std::size_t> piece(area.size(), area.size());
+  for (std::size_t l = 0; l < area.size(); ++l) {
+    if (area[l] < 0) piece[l] = piece_of(l);
+  }
+  for (std::size_t l = 0; l < area.size(); ++l) {
+    if (area[l] < 0) continue;
+    add_without_short_edges(loop(l));
+    for (std::size_t hole = 0; hole < area.size(); ++hole) {
+      if (piece[hole] == l && area[hole] < 0) add_without_short_edges(loop(hole));
+    }
+  }
+}
+
+void CellWriter::add_face(const Plane& plane, std::span<const Plane> cuts) {
+  cutter_.begin(plane, frame_.bound);
+  for (const Plane& side : frame_.sides) cutter_.cut(side);
+  for (const Plane& cut : cuts) {
+    if (&cut != &plane) cutter_.cut(cut);
+  }
+  add_face(cutter_.end(frame_.bound), plane.across);
+}
+
+void CellWriter::add_face(const Polygon3& face, Index across, std::span<const Plane> cuts) {
+  cutter_.begin(face);
+  for (const Plane& cut : cuts) cutter_.cut(cut);
+  add_face(cutter_.end(frame_.bound), across);
+}
+
+void CellWriter::add_polytope(std::span<const Plane> planes) {
+  for (const Plane& plane : planes) add_face(plane, planes);
+  for (const Polygon3& face : frame_.faces) add_face(face, kNone, planes);
+}
+
+void CellWriter::add_face(const Polygon3& face, Index across) {
+  if (face.empty()) return;
+  for (const Point3& corner : face) shapes_->corners.insert(shapes_->corners.end(), corner.begin(), corner.end());
+  shapes_->loops.push_back(shapes_->corners.size() / 3);
+  shapes_->across.push_back(across);
+}
+
+template <int D>
+Plane Clipper<D>::bisector_of(VertexId v, VertexId u) const {
+  std::array<double, kAxes> near, far;
+  for (int axis = 0; axis < D; ++axis) {
+    near[static_cast<std::size_t>(axis)] = t_.sites().coordinate(v, axis);
+    far[static_cast<std::size_t>(axis)] = t_.sites().coordinate(u, axis);
+  }
+  return bisector(near, t_.sites().weight(v), far, t_.sites().weight(u), frame_.middle, t_.sites().row(u));
+}
+
+template <int D>
+Point3 Clipper<D>::centre(CellId c) {
+  Point3 x{};
+  std::ranges::copy(centres_[c].at, x.begin());
+  return x;
+}
+
+/// The outward normal of a hull facet, of length 1: a ghost cell is positive with its ghost outside. Rounded where the
+/// facet is not too thin for that.
+template <int D>
+Point3 Clipper<D>::ray(CellId ghost) const {
+  const Complex& complex = t_.complex();
+  std::array<VertexId, kAxes> facet;
+  std::array<Point3, kAxes> at{};
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    facet[i] = complex.vertex(ghost, static_cast<int>(i));
+    std::copy_n(t_.sites().leading() + raw(facet[i]) * kAxes, kAxes, at[i].begin());
+  }
+  const Point3 along = at[1] - at[0];
+  Point3 normal{-along[1], along[0], 0};
+  if constexpr (D == 3) {
+    const Point3 other = at[2] - at[0];
+    normal = cross(along, other);
+    const double sine = std::sqrt(dot(normal, normal) / (dot(along, along) * dot(other, other)));
+    if (!(sine > 0x1p-6 && sine < 2)) {
+      const FacetId inside = complex.twin(ghost, D);
+      const Vector exact =
+          outward_normal(t_.sites(), facet, complex.vertex(complex.cell(inside), complex.slot(inside)));
+      std::copy_n(exact.begin(), 3, normal.begin());
+    }
+  }
+  return 1 / std::hypot(normal[0], normal[1], normal[2]) * normal;
+}
+
+/// So far that no line between two of them meets the region: they lead no more than a right angle apart. The rays of a
+/// cell, or a facet, lead less than two right angles apart.
+template <int D>
+void Clipper<D>::add_far_corners(CellId before, CellId first, CellId last, CellId after, const Point3& axis) {
+  const Point3 a = centre(before);
+  const Point3 b = centre(after);
+  const double far = 8 * (frame_.bound.radius + std::sqrt(std::max(dot(a, a), dot(b, b))));
+  const Point3 from = ray(first);
+  const Point3 to = ray(last);
+  polygon_.push_back(a + far * from);
+  if (dot(from, to) < 0) {
+    const Point3 quarter = 1 / std::sqrt(dot(axis, axis)) * cross(axis, from);
+    polygon_.push_back(0.5 * (a + b) + far * quarter);
+  }
+  polygon_.push_back(b + far * to);
+}
+
+/// The corners of a facet of a cell in space, counter-clockwise about the axis.
+template <int D>
+void Clipper<D>::read_facet(std::span<const CellId> ring, const Point3& axis) {
+  polygon_.clear();
+  const std::size_t n = ring.size();
+  const auto is_ghost = [&](std::size_t i) { return t_.complex().is_ghost(ring[i]); };
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t before = i == 0 ? n - 1 : i - 1;
+    const std::size_t next = i + 1 == n ? 0 : i + 1;
+    if (!is_ghost(i)) {
+      polygon_.push_back(centre(ring[i]));
+    } else if (!is_ghost(before)) {
+      const std::size_t last = is_ghost(next) ? next : i;
+      add_far_corners(ring[before], ring[i], ring[last], ring[(last + 1) % n], axis);
+    }
+  }
+}
+
+template <int D>
+bool Clipper<D>::polygon_is_finite() const {
+  return std::ranges::all_of(polygon_, [](const Point3& x) { return std::isfinite(x[0] + x[1] + x[2]); });
+}
+
+template <int D>
+void Clipper<D>::block(std::size_t begin, std::size_t end, CellShapes& shapes) {
+  writer_.begin(shapes);
+  if constexpr (D == 2) {
+    planar_block(begin, end);
+  } else {
+    for (std::size_t s = begin; s < end; ++s) {
+      const VertexId v{static_cast<Index>(s)};
+      if (t_.sites().is_empty(v)) continue;
+      if (is_vertex(v)) full_ ? write_spatial(v) : write_by_planes(v);
+      writer_.end_cell(t_.sites().row(v));
+    }
+  }
+}
+
+template <int D>
+void Clipper<D>::planar_block(std::size_t begin, std::size_t end) {
+  cells_.clear();
+  corners_.clear();
+  for (std::size_t s = begin; s < end; ++s) {
+    if (const VertexId v{static_cast<Index>(s)}; !t_.sites().is_empty(v)) cells_.push_back(read_planar(v));
+  }
+  if (frame_.sides.empty() || !full_) return divide(cells_, frame_.loops);
+  for (const PlanarCell& cell : cells_) {
+    if (cell.exists) write_placed(cell);
+    writer_.end_cell(t_.sites().row(cell.site));
+  }
+}
+
+template <int D>
+typename Clipper<D>::PlanarCell Clipper<D>::read_planar(VertexId v) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Complex& complex = t_.complex();
+  PlanarCell cell{v, corners_.size(), 0, is_vertex(v), full_, {kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
+  star_.clear();
+  if (cell.exists) stars_.read(v, star_);
+  for (std::size_t i = 0; i < star_.facets.size(); ++i) {
+    const VertexId u = star_.facets[i].neighbour;
+    polygon_.assign(1, {});
+    if (full_) {
+      const CellId c = star_.ring[i];
+      if (!complex.is_ghost(c)) {
+        polygon_[0] = centre(c);
+      } else {  // the edge comes from infinity; the one before leads there
+        int slot = 0;
+        while (complex.vertex(c, slot) != u) ++slot;
+        polygon_.clear();
+        add_far_corners(star_.ring[i == 0 ? star_.ring.size() - 1 : i - 1], complex.cell(complex.twin(c, slot)), c,
+                        complex.cell(complex.twin(c, D)), {0, 0, 1});
+      }
+    }
+    for (const Point3& at : polygon_) {
+      corners_.push_back({{at[0], at[1]}, kWindow});
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        cell.low[axis] = std::min(cell.low[axis], at[axis]);
+        cell.high[axis] = std::max(cell.high[axis], at[axis]);
+      }
+    }
+    corners_.back().across = t_.sites().row(u);
+    cell.placed = cell.placed && polygon_is_finite();
+  }
+  cell.end = corners_.size();
+  return cell;
+}
+
+template <int D>
+void Clipper<D>::write_placed(const PlanarCell& cell) {
+  const auto corners = std::span(corners_).subspan(cell.begin, cell.end - cell.begin);
+  if (!cell.placed) return cut_region(cell, frame_.loops);
+  Loops loops{{corners.begin(), corners.end()}, {corners.size()}};
+  for (const Plane& side : frame_.sides) cutter_.cut(loops, {{side.normal[0], side.normal[1]}, side.offset}, kNone);
+  if (!loops.empty()) writer_.add(loops);
+}
+
+/// What of a region lies in a window around cells.
+template <int D>
+Loops Clipper<D>::around(std::span<const PlanarCell> cells, Loops region) {
+  std::array<double, 2> low{frame_.high[0], frame_.high[1]};
+  std::array<double, 2> high{frame_.low[0], frame_.low[1]};
+  for (const PlanarCell& cell : cells) {
+    if (!cell.exists) continue;
+    if (!cell.placed) return region;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      low[axis] = std::min(low[axis], cell.low[axis]);
+      high[axis] = std::max(high[axis], cell.high[axis]);
+    }
+  }
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double margin = (high[axis] - low[axis]) / 32 + 0x1p-40 * frame_.bound.radius;
+    HalfPlane side{{}, high[axis] + margin};
+    side.normal[axis] = 1;
+    cutter_.cut(region, side, kWindow);
+    side.normal[axis] = -1;
+    side.offset = margin - low[axis];
+    cutter_.cut(region, side, kWindow);
+  }
+  return region;
+}
+
+/// Halves the cells until the region around them is nothing but a window, or they are few.
+template <int D>
+void Clipper<D>::divide(std::span<const PlanarCell> cells, Loops region) {
+  constexpr std::size_t kFewCells = 4;
+  constexpr std::size_t kFewCorners = 8;
+  region = around(cells, std::move(region));
+  const bool whole = region.ends.size() == 1 &&
+                     std::ranges::all_of(region.corners, [](const Corner& corner) { return corner.across == kWindow; });
+  if (!region.empty() && !whole && cells.size() > kFewCells && region.corners.size() > kFewCorners) {
+    divide(cells.first(cells.size() / 2), region);
+    divide(cells.subspan(cells.size() / 2), std::move(region));
+    return;
+  }
+  for (const PlanarCell& cell : cells) {
+    if (cell.exists && whole) {
+      writer_.add(std::span(corners_).subspan(cell.begin, cell.end - cell.begin));
+    } else if (cell.exists && !region.empty()) {
+      cut_region(cell, region);
+    }
+    writer_.end_cell(t_.sites().row(cell.site));
+  }
+}
+
+template <int D>
+void Clipper<D>::cut_region(const PlanarCell& cell, Loops region) {
+  for (std::size_t i = cell.begin; i < cell.end; ++i) {
+    if (corners_[i].across == kWindow) continue;
+    const Plane plane = bisector_of(cell.site, t_.vertex(corners_[i].across));
+    cutter_.cut(region, {{plane.normal[0], plane.normal[1]}, plane.offset}, plane.across);
+  }
+  if (!region.empty()) writer_.add(region);
+}
+
+/// Faces from centres; where one reaches over sides of the region it is cut by them, and so are the faces of the region
+/// on these sides by the cell.
+template <int D>
+void Clipper<D>::write_spatial(VertexId v) {
+  stars_.read(v, star_);
+  planes_.clear();
+  for (const Facet& facet : star_.facets) planes_.push_back(bisector_of(v, facet.neighbour));
+  crossed_.assign(frame_.sides.size(), false);
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < planes_.size(); ++i) {
+    const std::size_t end = star_.facets[i].end;
+    read_facet(std::span(star_.ring).subspan(begin, end - begin), planes_[i].normal);
+    begin = end;
+    const bool finite = polygon_is_finite();
+    bool within = true;
+    for (std::size_t side = 0; side < frame_.sides.size(); ++side) {
+      if (finite && !reaches_over(polygon_, frame_.sides[side])) continue;
+      within = false;
+      crossed_[side] = true;
+    }
+    if (!finite) {
+      writer_.add_face(planes_[i], planes_);
+    } else if (within) {
+      writer_.add_face(polygon_, planes_[i].across);
+    } else {
+      writer_.add_face(polygon_, planes_[i].across, frame_.sides);
+    }
+  }
+  for (std::size_t side = 0; side < frame_.sides.size(); ++side) {
+    if (crossed_[side]) writer_.add_face(frame_.faces[side], kNone, planes_);
+  }
+}
+
+/// The same from the bisectors alone.
+template <int D>
+void Clipper<D>::write_by_planes(VertexId v) {
+  stars_.read(v, star_);
+  planes_.clear();
+  for (const Facet& facet : star_.facets) planes_.push_back(bisector_of(v, facet.neighbour));
+  writer_.add_polytope(planes_);
+}
+
+template class Clipper<2>;
+template class Clipper<3>;
+
+}  // namespace delone::dual_detail

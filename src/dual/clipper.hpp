@@ -1,0 +1,132 @@
+// Shapes of cells within a region, a block of sites at a time.
+//
+// Where the points span the space and the region is convex, a cell is made of the centres that the triangulation tells,
+// closed far outside where it has no end, and cut by the sides of the region. Otherwise the region is cut by the
+// bisectors of the site with those around, so that flat sets of sites need nothing of their own; a region of many
+// corners is first divided among groups of cells.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "delone/dual/clip.hpp"
+#include "dual/centres.hpp"
+#include "dual/loops.hpp"
+#include "dual/polytope.hpp"
+#include "dual/stars.hpp"
+
+namespace delone::dual_detail {
+
+/// What is nearer to one site than to another, by power, seen from the middle.
+Plane bisector(std::span<const double> near, double near_weight, std::span<const double> far, double far_weight,
+               const Point3& middle, Index across);
+
+/// A region seen from the middle of its bounding box, where coordinates keep most digits.
+struct Frame {
+  explicit Frame(const Region& region);
+
+  int dimension;
+  Point3 middle;
+  Bound bound;                  ///< of the region, seen from the middle
+  Point3 low, high;             ///< of the region, seen from the middle
+  Loops loops;                  ///< in the plane
+  std::vector<Plane> sides;     ///< of a convex region
+  std::vector<Polygon3> faces;  ///< in space, one on each side
+};
+
+/// Appends cells to shapes, whose corners are seen from the middle too.
+class CellWriter {
+ public:
+  explicit CellWriter(const Frame& frame) : frame_(frame) {}
+
+  void begin(CellShapes& shapes) {
+    shapes_ = &shapes;
+    shapes.dimension = frame_.dimension;
+  }
+  void end_cell(Index row) {
+    shapes_->rows.push_back(row);
+    shapes_->cells.push_back(shapes_->loops.size() - 1);
+  }
+  /// In the plane: a loop whose corners are given, or all loops of what was cut, each hole after its piece.
+  void add(std::span<const Corner> loop);
+  void add(const Loops& loops);
+  /// In space: what planes leave of a plane within the region, or of a face of the region.
+  void add_face(const Plane& plane, std::span<const Plane> cuts);
+  void add_face(const Polygon3& face, Index across, std::span<const Plane> cuts);
+  /// In space: what planes leave of the region.
+  void add_polytope(std::span<const Plane> planes);
+  /// A face that lies in the region.
+  void add_face(const Polygon3& face, Index across);
+
+ private:
+  void add_without_short_edges(std::span<const Corner> loop);
+
+  const Frame& frame_;
+  CellShapes* shapes_ = nullptr;
+  FaceCutter cutter_;
+  std::vector<Corner> kept_;
+};
+
+template <int D>
+class Clipper {
+ public:
+  Clipper(const AnyTriangulation& t, const Frame& frame)
+      : t_(t),
+        frame_(frame),
+        full_(t.affine_dimension() == D),
+        centres_(t, frame.middle, frame.bound.radius),
+        stars_(t, centres_),
+        writer_(frame) {}
+
+  /// The cells of the sites begin to end, slots of removed ones left out.
+  void block(std::size_t begin, std::size_t end, CellShapes& shapes);
+
+ private:
+  static constexpr auto kAxes = static_cast<std::size_t>(D);
+
+  /// A cell of the plane before it is cut.
+  struct PlanarCell {
+    VertexId site;
+    std::size_t begin, end;  ///< its corners
+    bool exists;
+    bool placed;  ///< the corners have their places; else they only name the neighbours
+    std::array<double, 2> low, high;
+  };
+
+  bool is_vertex(VertexId v) const { return t_.complex().incident_cell(v) != kNoCell; }
+  Plane bisector_of(VertexId v, VertexId u) const;
+  Point3 centre(CellId c);
+  Point3 ray(CellId ghost) const;
+  /// The run of ghosts in a ring as corners far outside: from the finite cell before to the one after them.
+  void add_far_corners(CellId before, CellId first, CellId last, CellId after, const Point3& axis);
+  void read_facet(std::span<const CellId> ring, const Point3& axis);
+  bool polygon_is_finite() const;
+
+  void planar_block(std::size_t begin, std::size_t end);
+  PlanarCell read_planar(VertexId v);
+  void write_placed(const PlanarCell& cell);
+  void divide(std::span<const PlanarCell> cells, Loops region);
+  Loops around(std::span<const PlanarCell> cells, Loops region);
+  void cut_region(const PlanarCell& cell, Loops region);
+
+  void write_spatial(VertexId v);
+  void write_by_planes(VertexId v);
+
+  const AnyTriangulation& t_;
+  const Frame& frame_;
+  bool full_;
+  Centres<D> centres_;
+  Stars stars_;
+  CellWriter writer_;
+  Star star_;
+  LoopCutter cutter_;
+  std::vector<PlanarCell> cells_;
+  std::vector<Corner> corners_;
+  std::vector<Plane> planes_;
+  Polygon3 polygon_;
+  std::vector<bool> crossed_;  ///< sides of the region that the cell reaches over
+};
+
+}  // namespace delone::dual_detail

@@ -1,0 +1,18 @@
+// Neighbouring cells with one orthosphere are parts of one Delaunay polytope and have one Voronoi vertex.
+#pragma once
+
+#include "delone/geometry/kernel.hpp"
+#include "delone/topology/complex.hpp"
+
+namespace delone {
+
+/// Does the orthosphere of the finite cell c pass through `apex`, exactly?
+template <int K>
+bool on_common_orthosphere(const Kernel<K>& kernel, const Complex& complex, CellId c, VertexId apex) {
+  typename Kernel<K>::Cell cell;
+  for (int i = 0; i <= K; ++i) cell[static_cast<std::size_t>(i)] = complex.vertex(c, i);
+  const int sign = kernel.filtered_conflict(cell, apex);
+  return sign == 0 || (sign == Kernel<K>::kUnsure && kernel.slow_conflict_sign(cell, apex).sign == 0);
+}
+
+}  // namespace delone
