@@ -1,5 +1,5 @@
-// Vertices of diagrams as measures need them: seen from a place in the middle of the region, with an error far below
-// the size of the cells they belong to, quickly.
+// Vertices of diagrams as measures need them: in a frame, with an error far below the size of the cells they belong to,
+// quickly.
 #pragma once
 
 #include <array>
@@ -10,16 +10,17 @@
 #include "delone/geometry/kernel.hpp"
 #include "delone/geometry/power_centre.hpp"
 #include "delone/mesh/triangulation.hpp"
+#include "dual/frame.hpp"
 #include "mesh/cospherical.hpp"
 
 namespace delone::dual_detail {
 
 /// The power centre of a cell of a triangulation whose points span the space.
-template <int K>
 struct Centre {
-  std::array<double, K> at;  ///< seen from the middle
-  double reach;              ///< of the cell's corners and the centre from its first corner: the error is 2^-44 of it,
-                             ///< and at most 2^-50 of the region's size while the reach is no larger
+  Point3 at;
+  float reach;  ///< of the cell's corners and the centre from its first corner: the error of the centre is less than
+                ///< 2^-42 of it, and than 2^-46 of the region's size while the reach is no larger
+  bool within;  ///< a convex region
 };
 
 template <int K>
@@ -27,31 +28,25 @@ class Centres {
   static constexpr auto kAxes = static_cast<std::size_t>(K);
 
  public:
-  /// @param size  of the region
-  Centres(const AnyTriangulation& t, const std::array<double, 3>& middle, double size)
-      : sites_(t.sites()),
-        complex_(t.complex()),
-        kernel_(t.sites()),
-        cache_(kCached),
-        middle_(middle),
-        largest_error_(0x1p-51 * size) {
+  Centres(const AnyTriangulation& t, const Frame& frame)
+      : sites_(t.sites()), complex_(t.complex()), frame_(frame), kernel_(t.sites()), cache_(kCached) {
     for (std::size_t axis = 0; axis < kAxes; ++axis)
-      extent_ = std::max(extent_, std::abs(t.sites().range().magnitude) + std::abs(middle[axis]));
+      extent_ =
+          std::max(extent_, frame.scaled(t.sites().range().magnitude) + frame.scaled(std::abs(frame.middle[axis])));
   }
 
   /// Of a finite cell; valid until the next call. The last ones are remembered: sites that follow each other share most
   /// of their cells.
-  const Centre<K>& operator[](CellId c) {
+  const Centre& operator[](CellId c) {
     Entry& entry = cache_[raw(c) % kCached];
     if (entry.cell != c) entry = {c, computed(c)};
     return entry.centre;
   }
 
-  /// Have two neighbouring finite cells the same centre, exactly? @param apex  the vertex of d that c lacks
-  bool coincide(CellId c, CellId d, VertexId apex) {
-    const Centre<K> a = (*this)[c];
-    const Centre<K>& b = (*this)[d];
-    const double error = 0x1p-43 * (a.reach + b.reach) + 0x1p-50 * extent_;
+  /// Have two neighbouring finite cells the same centre, exactly?
+  /// @param a, b  their centres  @param c  one of the cells  @param apex  the vertex of the other that c lacks
+  bool coincide(const Centre& a, const Centre& b, CellId c, VertexId apex) const {
+    const double error = 0x1p-41 * (double{a.reach} + double{b.reach}) + 0x1p-50 * extent_;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (std::abs(a.at[axis] - b.at[axis]) > error) return false;
     }
@@ -62,13 +57,14 @@ class Centres {
   static constexpr std::size_t kCached = 1 << 14;
   struct Entry {
     CellId cell = kNoCell;
-    Centre<K> centre;
+    Centre centre;
   };
 
   /// By Cramer's rule from the differences d_i to the first corner: (c - p_0) = N / (2 det(d)). Every term of det and N
-  /// passes fewer than 20 roundings (differences, the lift of K squares and a weight, K - 1 products, sums); where that
+  /// passes at most 14 roundings (3 differences, a square and 3 sums of the lift, 2 products and 2 sums of the
+  /// determinant, the quotient; 2 for the bound itself); where that
   /// leaves too much open, the offset is computed anew, correctly rounded.
-  Centre<K> computed(CellId c) const {
+  Centre computed(CellId c) const {
     std::array<VertexId, kAxes + 1> v;
     for (std::size_t i = 0; i <= kAxes; ++i) v[i] = complex_.vertex(c, static_cast<int>(i));
     const double* origin = sites_.leading() + raw(v[0]) * kAxes;
@@ -90,8 +86,9 @@ class Centres {
     std::array<double, kAxes> offset, error;
     solve(d, lift, size, offset, error);
     for (std::size_t j = 0; j < kAxes; ++j) reach = std::max(reach, std::abs(offset[j]));
+    const double tolerance = std::min(0x1p-43 * reach, 0x1p-47 * frame_.bound.radius / frame_.scale);
     bool good = reach < 0x1p300 && reach > 0x1p-200;  // no product overflows, and what underflows is far below
-    for (std::size_t j = 0; j < kAxes; ++j) good = good && error[j] < 0x1p-45 * reach && error[j] < largest_error_;
+    for (std::size_t j = 0; j < kAxes; ++j) good = good && error[j] < tolerance;
     if (!good) {
       const Vector exact = power_centre_offset(sites_, v);
       for (std::size_t j = 0; j < kAxes; ++j) {
@@ -99,14 +96,15 @@ class Centres {
         reach = std::max(reach, std::abs(offset[j]));
       }
     }
-    Centre<K> centre{{}, reach};
-    for (std::size_t j = 0; j < kAxes; ++j) centre.at[j] = (origin[j] - middle_[j]) + offset[j];
+    Centre centre{{}, static_cast<float>(frame_.scaled(reach)), true};
+    for (std::size_t j = 0; j < kAxes; ++j) centre.at[j] = frame_.scaled((origin[j] - frame_.middle[j]) + offset[j]);
+    for (const Plane& side : frame_.sides) centre.within &= dot(side.normal, centre.at) <= side.offset;
     return centre;
   }
 
   using Rows = std::array<std::array<double, kAxes>, kAxes>;
   using Column = std::array<double, kAxes>;
-  static constexpr double kRoundings = 20 * 0x1p-53;
+  static constexpr double kRoundings = 14 * 0x1p-53;
 
   static void solve(const Rows& d, const Column& lift, const Column& size, Column& offset, Column& error) {
     if constexpr (K == 2) {
@@ -154,10 +152,9 @@ class Centres {
 
   const Sites& sites_;
   const Complex& complex_;
+  const Frame& frame_;
   Kernel<K> kernel_;
   std::vector<Entry> cache_;
-  std::array<double, 3> middle_;
-  double largest_error_;
   double extent_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -24,12 +25,6 @@ void require_fit(int dimension, const Region& region) {
   if (dimension != region.dimension())
     throw InputError("points of dimension " + std::to_string(dimension) + " in a region of dimension " +
                      std::to_string(region.dimension()) + ": they must have the same, 2 or 3");
-}
-
-/// Moves what is seen from the middle to where it is.
-void place(std::vector<double>& coordinates, const Frame& frame) {
-  const auto d = static_cast<std::size_t>(frame.dimension);
-  for (std::size_t i = 0; i < coordinates.size(); ++i) coordinates[i] += frame.middle[i % d];
 }
 
 /// Things that cost something to make and are used by one thread at a time.
@@ -58,72 +53,100 @@ class Pool {
   std::vector<std::unique_ptr<T>> idle_;
 };
 
-/// Blocks of cells in the order of sites: sink(block, shapes, measures), from any thread. Measures only where asked
-/// for.
-template <int D, class Sink>
-void produce(const AnyTriangulation& t, const Region& region, bool measured, const ClipOptions& options,
-             const Sink& sink) {
-  const Frame frame(region);
-  Pool<Clipper<D>> clippers;
-  const auto work = [&](std::size_t begin, std::size_t end, std::size_t block) {
-    const ExactEnvironment environment;
-    auto clipper = clippers.take([&] { return std::make_unique<Clipper<D>>(t, frame); });
-    CellShapes shapes;
-    clipper->block(begin, end, shapes);
-    clippers.give(std::move(clipper));
-    CellMeasures measures;
-    if (measured) {
-      const auto site = [&](std::size_t cell) {
-        Point3 at{};
-        for (int axis = 0; axis < D; ++axis) {
-          const auto a = static_cast<std::size_t>(axis);
-          at[a] = t.sites().coordinate(t.vertex(shapes.rows[cell]), axis) - frame.middle[a];
-        }
-        return at;
-      };
-      append_measures(shapes, site, measures);
-      place(measures.centroid, frame);
-      for (std::size_t cell = 0; cell < shapes.size(); ++cell) {
-        if (measures.volume[cell] > 0) continue;
-        for (int axis = 0; axis < D; ++axis)
-          measures.centroid[cell * D + static_cast<std::size_t>(axis)] =
-              t.sites().coordinate(t.vertex(shapes.rows[cell]), axis);
-      }
+/// A block of cells, where they are and in their own units.
+struct Block {
+  std::vector<VertexId> sites;
+  CellShapes shapes;
+  CellMeasures measures;
+
+  void clear() {
+    shapes.corners.clear();
+    shapes.loops.resize(1);
+    shapes.cells.resize(1);
+    shapes.rows.clear();
+    shapes.across.clear();
+    for (auto* numbers : {&measures.volume, &measures.surface, &measures.boundary, &measures.centroid,
+                          &measures.second_moment, &measures.shared}) {
+      numbers->clear();
     }
-    place(shapes.corners, frame);
-    sink(block, std::move(shapes), std::move(measures));
+    measures.offsets.resize(1);
+    measures.neighbours.clear();
+  }
+  void measure(const AnyTriangulation& t, const Frame& frame);
+  void place_shapes(const Frame& frame);
+  void place_measures(const Frame& frame);
+};
+
+void Block::measure(const AnyTriangulation& t, const Frame& frame) {
+  std::vector<Point3> seen(sites.size());
+  const auto d = static_cast<std::size_t>(frame.dimension);
+  for (std::size_t cell = 0; cell < sites.size(); ++cell) {
+    for (std::size_t axis = 0; axis < d; ++axis)
+      seen[cell][axis] = frame.seen(t.sites().coordinate(sites[cell], static_cast<int>(axis)), axis);
+  }
+  append_measures(shapes, seen, measures);
+}
+
+void Block::place_shapes(const Frame& frame) {
+  const auto d = static_cast<std::size_t>(frame.dimension);
+  for (std::size_t i = 0; i < shapes.corners.size(); ++i) shapes.corners[i] = frame.placed(shapes.corners[i], i % d);
+}
+
+void Block::place_measures(const Frame& frame) {
+  const auto d = static_cast<std::size_t>(frame.dimension);
+  for (std::size_t i = 0; i < measures.centroid.size(); ++i)
+    measures.centroid[i] = frame.placed(measures.centroid[i], i % d);
+  const auto enlarge = [&](std::vector<double>& numbers, int power) {
+    for (int i = 0; i < power; ++i) {
+      for (double& x : numbers) x *= frame.unit;
+    }
+  };
+  enlarge(measures.volume, frame.dimension);
+  enlarge(measures.second_moment, frame.dimension + 2);
+  for (auto* numbers : {&measures.surface, &measures.boundary, &measures.shared})
+    enlarge(*numbers, frame.dimension - 1);
+}
+
+enum class Want { shapes, measures, both };
+
+/// Blocks of cells in the order of sites: sink(number, block), from any thread.
+template <int D, class Sink>
+void produce(const AnyTriangulation& t, const Region& region, Want want, const ClipOptions& options, const Sink& sink) {
+  struct Worker {
+    Worker(const AnyTriangulation& of, const Frame& in) : clipper(of, in) {}
+    Clipper<D> clipper;
+    Block block;
+  };
+  const Frame frame(region);
+  Pool<Worker> workers;
+  const auto work = [&](std::size_t begin, std::size_t end, std::size_t number) {
+    const ExactEnvironment environment;
+    auto worker = workers.take([&] { return std::make_unique<Worker>(t, frame); });
+    worker->block.clear();
+    worker->clipper.block(begin, end, worker->block.shapes, worker->block.sites);
+    if (want != Want::shapes) {
+      worker->block.measure(t, frame);
+      worker->block.place_measures(frame);
+    }
+    if (want != Want::measures) worker->block.place_shapes(frame);
+    sink(number, worker->block);
+    workers.give(std::move(worker));
   };
   for_chunks(t.sites().size(), options.threads, work, options.progress);
 }
 
 template <class Sink>
-void produce(const AnyTriangulation& t, const Region& region, bool measured, const ClipOptions& options,
-             const Sink& sink) {
+void produce(const AnyTriangulation& t, const Region& region, Want want, const ClipOptions& options, const Sink& sink) {
   require_fit(t.dimension(), region);
   const ExactEnvironment environment;
   if (t.dimension() == 2) {
-    produce<2>(t, region, measured, options, sink);
+    produce<2>(t, region, want, options, sink);
   } else {
-    produce<3>(t, region, measured, options, sink);
+    produce<3>(t, region, want, options, sink);
   }
 }
 
 std::size_t block_count(const AnyTriangulation& t) { return (t.sites().size() + kChunk - 1) / kChunk; }
-
-/// Where the cell of each row stands among blocks.
-struct Place {
-  std::size_t block = 0, cell = 0;
-  bool found = false;
-};
-
-std::vector<Place> places(const std::vector<std::vector<Index>>& rows_of_blocks, std::size_t row_count) {
-  std::vector<Place> places(row_count);
-  for (std::size_t block = 0; block < rows_of_blocks.size(); ++block) {
-    const std::vector<Index>& rows = rows_of_blocks[block];
-    for (std::size_t cell = 0; cell < rows.size(); ++cell) places[rows[cell]] = {block, cell, true};
-  }
-  return places;
-}
 
 template <class T>
 void append(std::vector<T>& to, const std::vector<T>& from, std::size_t begin, std::size_t end) {
@@ -145,37 +168,64 @@ void append_cell(CellShapes& to, const CellShapes& from, std::size_t cell) {
   }
 }
 
-void append_cell(CellMeasures& to, const CellMeasures& from, std::size_t cell) {
-  const auto d = static_cast<std::size_t>(from.dimension);
-  to.volume.push_back(from.volume[cell]);
-  to.surface.push_back(from.surface[cell]);
-  to.boundary.push_back(from.boundary[cell]);
-  to.second_moment.push_back(from.second_moment[cell]);
-  append(to.centroid, from.centroid, cell * d, (cell + 1) * d);
-  append(to.neighbours, from.neighbours, from.offsets[cell], from.offsets[cell + 1]);
-  append(to.shared, from.shared, from.offsets[cell], from.offsets[cell + 1]);
+/// Measures by row: of rows without a site nothing, at no place.
+CellMeasures measures_of_rows(int dimension, std::size_t rows) {
+  CellMeasures all;
+  all.dimension = dimension;
+  for (auto* numbers : {&all.volume, &all.surface, &all.boundary, &all.second_moment}) numbers->resize(rows);
+  all.centroid.resize(rows * static_cast<std::size_t>(dimension), std::numeric_limits<double>::quiet_NaN());
+  all.offsets.resize(rows + 1);
+  return all;
 }
 
-void append_nothing(CellMeasures& to) {
-  for (auto* numbers : {&to.volume, &to.surface, &to.boundary, &to.second_moment}) numbers->push_back(0);
-  to.centroid.insert(to.centroid.end(), static_cast<std::size_t>(to.dimension),
-                     std::numeric_limits<double>::quiet_NaN());
+/// All but the neighbours of a block; offsets become counts, one place further on.
+void spread(const Block& block, CellMeasures& all) {
+  const auto d = static_cast<std::size_t>(all.dimension);
+  const CellMeasures& from = block.measures;
+  for (std::size_t cell = 0; cell < block.shapes.size(); ++cell) {
+    const Index row = block.shapes.rows[cell];
+    all.volume[row] = from.volume[cell];
+    all.surface[row] = from.surface[cell];
+    all.boundary[row] = from.boundary[cell];
+    all.second_moment[row] = from.second_moment[cell];
+    std::copy_n(from.centroid.begin() + static_cast<std::ptrdiff_t>(cell * d), d,
+                all.centroid.begin() + static_cast<std::ptrdiff_t>(row * d));
+    all.offsets[row + std::size_t{1}] = from.offsets[cell + 1] - from.offsets[cell];
+  }
+}
+
+/// What was found about the neighbours of a block.
+struct Neighbours {
+  std::vector<Index> rows;
+  std::vector<std::size_t> offsets;
+  std::vector<Index> neighbours;
+  std::vector<double> shared;
+};
+
+void spread(const Neighbours& from, CellMeasures& all) {
+  for (std::size_t cell = 0; cell < from.rows.size(); ++cell) {
+    const auto at = static_cast<std::ptrdiff_t>(all.offsets[from.rows[cell]]);
+    const auto begin = static_cast<std::ptrdiff_t>(from.offsets[cell]);
+    const auto end = static_cast<std::ptrdiff_t>(from.offsets[cell + 1]);
+    std::copy(from.neighbours.begin() + begin, from.neighbours.begin() + end, all.neighbours.begin() + at);
+    std::copy(from.shared.begin() + begin, from.shared.begin() + end, all.shared.begin() + at);
+  }
 }
 
 }  // namespace
 
 CellShapes clipped_cells(const AnyTriangulation& t, const Region& region, const ClipOptions& options) {
   std::vector<CellShapes> blocks(block_count(t));
-  std::vector<std::vector<Index>> rows(blocks.size());
-  produce(t, region, false, options, [&](std::size_t block, CellShapes&& shapes, CellMeasures&&) {
-    rows[block] = shapes.rows;
-    blocks[block] = std::move(shapes);
-  });
+  produce(t, region, Want::shapes, options,
+          [&](std::size_t number, const Block& block) { blocks[number] = block.shapes; });
+  std::vector<std::pair<std::size_t, std::size_t>> place(t.row_count(), {blocks.size(), 0});
+  for (std::size_t block = 0; block < blocks.size(); ++block) {
+    for (std::size_t cell = 0; cell < blocks[block].size(); ++cell) place[blocks[block].rows[cell]] = {block, cell};
+  }
   CellShapes all;
   all.dimension = t.dimension();
-  const std::vector<Place> place = places(rows, t.row_count());
   for (std::size_t row = 0; row < place.size(); ++row) {
-    if (place[row].found) append_cell(all, blocks[place[row].block], place[row].cell);
+    if (place[row].first < blocks.size()) append_cell(all, blocks[place[row].first], place[row].second);
     all.rows.push_back(static_cast<Index>(row));
     all.cells.push_back(all.loops.size() - 1);
   }
@@ -183,30 +233,24 @@ CellShapes clipped_cells(const AnyTriangulation& t, const Region& region, const 
 }
 
 CellMeasures measure_cells(const AnyTriangulation& t, const Region& region, const ClipOptions& options) {
-  std::vector<CellMeasures> blocks(block_count(t));
-  std::vector<std::vector<Index>> rows(blocks.size());
-  produce(t, region, true, options, [&](std::size_t block, CellShapes&& shapes, CellMeasures&& measures) {
-    rows[block] = std::move(shapes.rows);
-    blocks[block] = std::move(measures);
+  CellMeasures all = measures_of_rows(t.dimension(), t.row_count());
+  std::vector<Neighbours> found(block_count(t));
+  produce(t, region, Want::measures, options, [&](std::size_t number, const Block& block) {
+    spread(block, all);
+    found[number] = {block.shapes.rows, block.measures.offsets, block.measures.neighbours, block.measures.shared};
   });
-  CellMeasures all;
-  all.dimension = t.dimension();
-  for (const Place& place : places(rows, t.row_count())) {
-    if (place.found) {
-      append_cell(all, blocks[place.block], place.cell);
-    } else {
-      append_nothing(all);
-    }
-    all.offsets.push_back(all.neighbours.size());
-  }
+  std::partial_sum(all.offsets.begin(), all.offsets.end(), all.offsets.begin());
+  all.neighbours.resize(all.offsets.back());
+  all.shared.resize(all.offsets.back());
+  for (const Neighbours& block : found) spread(block, all);
   return all;
 }
 
 void for_cells(const AnyTriangulation& t, const Region& region, const VisitCells& visit, const ClipOptions& options) {
   std::mutex one_at_a_time;
-  produce(t, region, true, options, [&](std::size_t, CellShapes&& shapes, CellMeasures&& measures) {
+  produce(t, region, Want::both, options, [&](std::size_t, const Block& block) {
     const std::lock_guard lock(one_at_a_time);
-    visit(shapes, measures);
+    visit(block.shapes, block.measures);
   });
 }
 
@@ -225,7 +269,7 @@ CellShapes cut_cells(PointsView points, const Region& region, const std::vector<
     planes.clear();
     for (std::size_t i = offsets[cell]; i < offsets[cell + 1]; ++i)
       planes.push_back(dual_detail::bisector(points[cuts[i].near], points.weight(cuts[i].near), points[cuts[i].far],
-                                             points.weight(cuts[i].far), frame.middle, cuts[i].across));
+                                             points.weight(cuts[i].far), frame, cuts[i].across));
     if (region.dimension() == 3) {
       writer.add_polytope(planes);
     } else {
@@ -236,20 +280,16 @@ CellShapes cut_cells(PointsView points, const Region& region, const std::vector<
     }
     writer.end_cell(static_cast<Index>(cell));
   }
-  place(shapes.corners, frame);
+  for (std::size_t i = 0; i < shapes.corners.size(); ++i)
+    shapes.corners[i] = frame.placed(shapes.corners[i], i % static_cast<std::size_t>(frame.dimension));
   return shapes;
 }
 
 CellMeasures measure_shapes(const CellShapes& shapes, PointsView sites) {
+  std::vector<Point3> places(shapes.size());
+  for (std::size_t cell = 0; cell < places.size(); ++cell) std::ranges::copy(sites[cell], places[cell].begin());
   CellMeasures measures;
-  append_measures(
-      shapes,
-      [&](std::size_t cell) {
-        Point3 at{};
-        std::ranges::copy(sites[cell], at.begin());
-        return at;
-      },
-      measures);
+  append_measures(shapes, places, measures);
   return measures;
 }
 

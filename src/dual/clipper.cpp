@@ -9,10 +9,6 @@ namespace {
 
 constexpr Index kWindow = kNone - 1;  // beyond an edge of the window around some cells
 
-Corner seen_from(const Point3& middle, const std::array<double, 2>& at) {
-  return {{at[0] - middle[0], at[1] - middle[1]}, kNone};
-}
-
 /// Does the loop go around x? Rounded: pieces and their holes lie apart.
 bool goes_around(std::span<const Corner> loop, const std::array<double, 2>& x) {
   bool inside = false;
@@ -29,33 +25,18 @@ bool reaches_over(const Polygon3& polygon, const Plane& side) {
   return std::ranges::any_of(polygon, [&](const Point3& x) { return dot(side.normal, x) > side.offset; });
 }
 
+bool is_within(const RingCell& c) { return !c.ghost && c.centre.within; }
+
 }  // namespace
 
 Plane bisector(std::span<const double> near, double near_weight, std::span<const double> far, double far_weight,
-               const Point3& middle, Index across) {
-  Plane plane{{}, 0.5 * (near_weight - far_weight), across};
+               const Frame& frame, Index across) {
+  Plane plane{{}, 0.5 * (frame.scaled(near_weight) - frame.scaled(far_weight)) * frame.scale, across};
   for (std::size_t axis = 0; axis < near.size(); ++axis) {
-    plane.normal[axis] = far[axis] - near[axis];
-    plane.offset += plane.normal[axis] * (0.5 * ((near[axis] - middle[axis]) + (far[axis] - middle[axis])));
+    plane.normal[axis] = frame.scaled(far[axis] - near[axis]);
+    plane.offset += plane.normal[axis] * (0.5 * (frame.seen(near[axis], axis) + frame.seen(far[axis], axis)));
   }
   return plane;
-}
-
-Frame::Frame(const Region& region) : dimension(region.dimension()) {
-  middle = 0.5 * region.low() + 0.5 * region.high();
-  low = region.low() - middle;
-  high = region.high() - middle;
-  bound = {{}, std::sqrt(std::max(dot(low, low), dot(high, high)))};
-  for (const HalfSpace& side : region.sides())
-    sides.push_back({side.normal, side.offset - dot(side.normal, middle), kNone});
-  for (const Ring& ring : region.rings()) {
-    for (const auto& corner : ring) loops.corners.push_back(seen_from(middle, corner));
-    loops.ends.push_back(loops.corners.size());
-  }
-  for (const auto& face : region.faces()) {
-    Polygon3& polygon = faces.emplace_back(face);
-    for (Point3& corner : polygon) corner = corner - middle;
-  }
 }
 
 void CellWriter::add(std::span<const Corner> loop) {
@@ -140,14 +121,13 @@ Plane Clipper<D>::bisector_of(VertexId v, VertexId u) const {
     near[static_cast<std::size_t>(axis)] = t_.sites().coordinate(v, axis);
     far[static_cast<std::size_t>(axis)] = t_.sites().coordinate(u, axis);
   }
-  return bisector(near, t_.sites().weight(v), far, t_.sites().weight(u), frame_.middle, t_.sites().row(u));
+  return bisector(near, t_.sites().weight(v), far, t_.sites().weight(u), frame_, t_.sites().row(u));
 }
 
 template <int D>
-Point3 Clipper<D>::centre(CellId c) {
-  Point3 x{};
-  std::ranges::copy(centres_[c].at, x.begin());
-  return x;
+void Clipper<D>::end_cell(VertexId v) {
+  writer_.end_cell(t_.sites().row(v));
+  site_of_cell_->push_back(v);
 }
 
 /// The outward normal of a hull facet, of length 1: a ghost cell is positive with its ghost outside. Rounded where the
@@ -159,7 +139,8 @@ Point3 Clipper<D>::ray(CellId ghost) const {
   std::array<Point3, kAxes> at{};
   for (std::size_t i = 0; i < kAxes; ++i) {
     facet[i] = complex.vertex(ghost, static_cast<int>(i));
-    std::copy_n(t_.sites().leading() + raw(facet[i]) * kAxes, kAxes, at[i].begin());
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+      at[i][axis] = frame_.seen(t_.sites().coordinate(facet[i], static_cast<int>(axis)), axis);
   }
   const Point3 along = at[1] - at[0];
   Point3 normal{-along[1], along[0], 0};
@@ -180,9 +161,7 @@ Point3 Clipper<D>::ray(CellId ghost) const {
 /// So far that no line between two of them meets the region: they lead no more than a right angle apart. The rays of a
 /// cell, or a facet, lead less than two right angles apart.
 template <int D>
-void Clipper<D>::add_far_corners(CellId before, CellId first, CellId last, CellId after, const Point3& axis) {
-  const Point3 a = centre(before);
-  const Point3 b = centre(after);
+void Clipper<D>::add_far_corners(const Point3& a, CellId first, CellId last, const Point3& b, const Point3& axis) {
   const double far = 8 * (frame_.bound.radius + std::sqrt(std::max(dot(a, a), dot(b, b))));
   const Point3 from = ray(first);
   const Point3 to = ray(last);
@@ -196,18 +175,17 @@ void Clipper<D>::add_far_corners(CellId before, CellId first, CellId last, CellI
 
 /// The corners of a facet of a cell in space, counter-clockwise about the axis.
 template <int D>
-void Clipper<D>::read_facet(std::span<const CellId> ring, const Point3& axis) {
+void Clipper<D>::read_facet(std::span<const RingCell> ring, const Point3& axis) {
   polygon_.clear();
   const std::size_t n = ring.size();
-  const auto is_ghost = [&](std::size_t i) { return t_.complex().is_ghost(ring[i]); };
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t before = i == 0 ? n - 1 : i - 1;
     const std::size_t next = i + 1 == n ? 0 : i + 1;
-    if (!is_ghost(i)) {
-      polygon_.push_back(centre(ring[i]));
-    } else if (!is_ghost(before)) {
-      const std::size_t last = is_ghost(next) ? next : i;
-      add_far_corners(ring[before], ring[i], ring[last], ring[(last + 1) % n], axis);
+    if (!ring[i].ghost) {
+      polygon_.push_back(ring[i].centre.at);
+    } else if (!ring[before].ghost) {
+      const std::size_t last = ring[next].ghost ? next : i;
+      add_far_corners(ring[before].centre.at, ring[i].cell, ring[last].cell, ring[(last + 1) % n].centre.at, axis);
     }
   }
 }
@@ -218,8 +196,10 @@ bool Clipper<D>::polygon_is_finite() const {
 }
 
 template <int D>
-void Clipper<D>::block(std::size_t begin, std::size_t end, CellShapes& shapes) {
+void Clipper<D>::block(std::size_t begin, std::size_t end, CellShapes& shapes, std::vector<VertexId>& sites) {
   writer_.begin(shapes);
+  sites.clear();
+  site_of_cell_ = &sites;
   if constexpr (D == 2) {
     planar_block(begin, end);
   } else {
@@ -227,7 +207,7 @@ void Clipper<D>::block(std::size_t begin, std::size_t end, CellShapes& shapes) {
       const VertexId v{static_cast<Index>(s)};
       if (t_.sites().is_empty(v)) continue;
       if (is_vertex(v)) full_ ? write_spatial(v) : write_by_planes(v);
-      writer_.end_cell(t_.sites().row(v));
+      end_cell(v);
     }
   }
 }
@@ -242,41 +222,53 @@ void Clipper<D>::planar_block(std::size_t begin, std::size_t end) {
   if (frame_.sides.empty() || !full_) return divide(cells_, frame_.loops);
   for (const PlanarCell& cell : cells_) {
     if (cell.exists) write_placed(cell);
-    writer_.end_cell(t_.sites().row(cell.site));
+    end_cell(cell.site);
   }
+}
+
+/// In the plane: of the cell of a hull vertex, whose edge i comes from infinity, while the one before leads there.
+template <int D>
+void Clipper<D>::read_far_corners(std::size_t i) {
+  const Complex& complex = t_.complex();
+  const CellId c = star_.ring[i].cell;
+  const Point3 before = star_.ring[i == 0 ? star_.ring.size() - 1 : i - 1].centre.at;
+  const Point3 after = centres_[complex.cell(complex.twin(c, D))].at;
+  int slot = 0;
+  while (complex.vertex(c, slot) != star_.facets[i].neighbour) ++slot;
+  polygon_.clear();
+  add_far_corners(before, complex.cell(complex.twin(c, slot)), c, after, {0, 0, 1});
 }
 
 template <int D>
 typename Clipper<D>::PlanarCell Clipper<D>::read_planar(VertexId v) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const Complex& complex = t_.complex();
-  PlanarCell cell{v, corners_.size(), 0, is_vertex(v), full_, {kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
+  PlanarCell cell{v, corners_.size(), 0, is_vertex(v), full_, full_, {kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
   star_.clear();
   if (cell.exists) stars_.read(v, star_);
   for (std::size_t i = 0; i < star_.facets.size(); ++i) {
-    const VertexId u = star_.facets[i].neighbour;
-    polygon_.assign(1, {});
-    if (full_) {
-      const CellId c = star_.ring[i];
-      if (!complex.is_ghost(c)) {
-        polygon_[0] = centre(c);
-      } else {  // the edge comes from infinity; the one before leads there
-        int slot = 0;
-        while (complex.vertex(c, slot) != u) ++slot;
-        polygon_.clear();
-        add_far_corners(star_.ring[i == 0 ? star_.ring.size() - 1 : i - 1], complex.cell(complex.twin(c, slot)), c,
-                        complex.cell(complex.twin(c, D)), {0, 0, 1});
-      }
+    const Index across = t_.sites().row(star_.facets[i].neighbour);
+    if (!full_) {
+      corners_.push_back({{}, across});
+      continue;
     }
-    for (const Point3& at : polygon_) {
-      corners_.push_back({{at[0], at[1]}, kWindow});
-      for (std::size_t axis = 0; axis < 2; ++axis) {
-        cell.low[axis] = std::min(cell.low[axis], at[axis]);
-        cell.high[axis] = std::max(cell.high[axis], at[axis]);
-      }
+    const RingCell& c = star_.ring[i];
+    if (c.ghost) {
+      cell.within = false;
+      read_far_corners(i);
+      for (const Point3& at : polygon_) corners_.push_back({{at[0], at[1]}, kWindow});
+      corners_.back().across = across;
+    } else {
+      cell.within = cell.within && c.centre.within;
+      corners_.push_back({{c.centre.at[0], c.centre.at[1]}, across});
     }
-    corners_.back().across = t_.sites().row(u);
-    cell.placed = cell.placed && polygon_is_finite();
+  }
+  for (std::size_t i = cell.begin; i < corners_.size(); ++i) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const double x = corners_[i].at[axis];
+      cell.low[axis] = std::min(cell.low[axis], x);
+      cell.high[axis] = std::max(cell.high[axis], x);
+      cell.placed = cell.placed && std::isfinite(x);
+    }
   }
   cell.end = corners_.size();
   return cell;
@@ -286,6 +278,7 @@ template <int D>
 void Clipper<D>::write_placed(const PlanarCell& cell) {
   const auto corners = std::span(corners_).subspan(cell.begin, cell.end - cell.begin);
   if (!cell.placed) return cut_region(cell, frame_.loops);
+  if (cell.within) return writer_.add(corners);
   Loops loops{{corners.begin(), corners.end()}, {corners.size()}};
   for (const Plane& side : frame_.sides) cutter_.cut(loops, {{side.normal[0], side.normal[1]}, side.offset}, kNone);
   if (!loops.empty()) writer_.add(loops);
@@ -335,7 +328,7 @@ void Clipper<D>::divide(std::span<const PlanarCell> cells, Loops region) {
     } else if (cell.exists && !region.empty()) {
       cut_region(cell, region);
     }
-    writer_.end_cell(t_.sites().row(cell.site));
+    end_cell(cell.site);
   }
 }
 
@@ -354,27 +347,35 @@ void Clipper<D>::cut_region(const PlanarCell& cell, Loops region) {
 template <int D>
 void Clipper<D>::write_spatial(VertexId v) {
   stars_.read(v, star_);
+  if (std::ranges::all_of(star_.ring, is_within)) {
+    std::size_t next = 0;
+    for (const Facet& facet : star_.facets) {
+      polygon_.clear();
+      for (; next < facet.end; ++next) polygon_.push_back(star_.ring[next].centre.at);
+      writer_.add_face(polygon_, t_.sites().row(facet.neighbour));
+    }
+    return;
+  }
   planes_.clear();
   for (const Facet& facet : star_.facets) planes_.push_back(bisector_of(v, facet.neighbour));
   crossed_.assign(frame_.sides.size(), false);
   std::size_t begin = 0;
   for (std::size_t i = 0; i < planes_.size(); ++i) {
-    const std::size_t end = star_.facets[i].end;
-    read_facet(std::span(star_.ring).subspan(begin, end - begin), planes_[i].normal);
-    begin = end;
-    const bool finite = polygon_is_finite();
-    bool within = true;
-    for (std::size_t side = 0; side < frame_.sides.size(); ++side) {
-      if (finite && !reaches_over(polygon_, frame_.sides[side])) continue;
-      within = false;
-      crossed_[side] = true;
-    }
-    if (!finite) {
-      writer_.add_face(planes_[i], planes_);
-    } else if (within) {
+    const auto ring = std::span(star_.ring).subspan(begin, star_.facets[i].end - begin);
+    begin = star_.facets[i].end;
+    read_facet(ring, planes_[i].normal);
+    if (std::ranges::all_of(ring, is_within)) {
       writer_.add_face(polygon_, planes_[i].across);
-    } else {
+      continue;
+    }
+    const bool finite = polygon_is_finite();
+    for (std::size_t side = 0; side < frame_.sides.size(); ++side) {
+      if (!finite || reaches_over(polygon_, frame_.sides[side])) crossed_[side] = true;
+    }
+    if (finite) {
       writer_.add_face(polygon_, planes_[i].across, frame_.sides);
+    } else {
+      writer_.add_face(planes_[i], planes_);
     }
   }
   for (std::size_t side = 0; side < frame_.sides.size(); ++side) {

@@ -13,30 +13,18 @@
 
 #include "delone/dual/clip.hpp"
 #include "dual/centres.hpp"
+#include "dual/frame.hpp"
 #include "dual/loops.hpp"
 #include "dual/polytope.hpp"
 #include "dual/stars.hpp"
 
 namespace delone::dual_detail {
 
-/// What is nearer to one site than to another, by power, seen from the middle.
+/// What is nearer to one site than to another, by power.
 Plane bisector(std::span<const double> near, double near_weight, std::span<const double> far, double far_weight,
-               const Point3& middle, Index across);
+               const Frame& frame, Index across);
 
-/// A region seen from the middle of its bounding box, where coordinates keep most digits.
-struct Frame {
-  explicit Frame(const Region& region);
-
-  int dimension;
-  Point3 middle;
-  Bound bound;                  ///< of the region, seen from the middle
-  Point3 low, high;             ///< of the region, seen from the middle
-  Loops loops;                  ///< in the plane
-  std::vector<Plane> sides;     ///< of a convex region
-  std::vector<Polygon3> faces;  ///< in space, one on each side
-};
-
-/// Appends cells to shapes, whose corners are seen from the middle too.
+/// Appends cells to shapes, whose corners are seen in the frame too.
 class CellWriter {
  public:
   explicit CellWriter(const Frame& frame) : frame_(frame) {}
@@ -76,12 +64,13 @@ class Clipper {
       : t_(t),
         frame_(frame),
         full_(t.affine_dimension() == D),
-        centres_(t, frame.middle, frame.bound.radius),
+        centres_(t, frame),
         stars_(t, centres_),
         writer_(frame) {}
 
   /// The cells of the sites begin to end, slots of removed ones left out.
-  void block(std::size_t begin, std::size_t end, CellShapes& shapes);
+  /// @param sites  become those of the cells
+  void block(std::size_t begin, std::size_t end, CellShapes& shapes, std::vector<VertexId>& sites);
 
  private:
   static constexpr auto kAxes = static_cast<std::size_t>(D);
@@ -92,19 +81,21 @@ class Clipper {
     std::size_t begin, end;  ///< its corners
     bool exists;
     bool placed;  ///< the corners have their places; else they only name the neighbours
+    bool within;  ///< a convex region
     std::array<double, 2> low, high;
   };
 
   bool is_vertex(VertexId v) const { return t_.complex().incident_cell(v) != kNoCell; }
   Plane bisector_of(VertexId v, VertexId u) const;
-  Point3 centre(CellId c);
+  void end_cell(VertexId v);
   Point3 ray(CellId ghost) const;
   /// The run of ghosts in a ring as corners far outside: from the finite cell before to the one after them.
-  void add_far_corners(CellId before, CellId first, CellId last, CellId after, const Point3& axis);
-  void read_facet(std::span<const CellId> ring, const Point3& axis);
+  void add_far_corners(const Point3& before, CellId first, CellId last, const Point3& after, const Point3& axis);
+  void read_facet(std::span<const RingCell> ring, const Point3& axis);
   bool polygon_is_finite() const;
 
   void planar_block(std::size_t begin, std::size_t end);
+  void read_far_corners(std::size_t i);
   PlanarCell read_planar(VertexId v);
   void write_placed(const PlanarCell& cell);
   void divide(std::span<const PlanarCell> cells, Loops region);
@@ -120,6 +111,7 @@ class Clipper {
   Centres<D> centres_;
   Stars stars_;
   CellWriter writer_;
+  std::vector<VertexId>* site_of_cell_ = nullptr;
   Star star_;
   LoopCutter cutter_;
   std::vector<PlanarCell> cells_;

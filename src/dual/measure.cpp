@@ -14,102 +14,103 @@ namespace {
 
 double length(const Point3& a) { return std::sqrt(dot(a, a)); }
 
-/// Sums over simplices whose corners are seen from the site.
+/// Sums over simplices that have one corner in the origin.
 struct Moments {
-  int dimension;
   double volume = 0, second = 0;
   Point3 first{};
 
-  /// @param volume_of_simplex  signed
-  template <std::size_t Corners>
-  void add(double volume_of_simplex, const std::array<Point3, Corners>& corners) {
+  /// @param simplex  its volume, signed  @param corners  the others
+  template <std::size_t D>
+  void add(double simplex, const std::array<Point3, D>& corners) {
     Point3 sum{};
     double squares = 0;
     for (const Point3& v : corners) {
       sum = sum + v;
       squares += dot(v, v);
     }
-    volume += volume_of_simplex;
-    first = first + volume_of_simplex / static_cast<double>(Corners) * sum;
-    second += volume_of_simplex * (squares + dot(sum, sum)) / static_cast<double>(Corners * (Corners + 1));
+    volume += simplex;
+    first = first + simplex / (D + 1) * sum;
+    second += simplex / ((D + 1) * (D + 2)) * (squares + dot(sum, sum));
   }
 };
 
+template <int D>
 class Measurer {
  public:
   Measurer(const CellShapes& shapes, CellMeasures& measures) : shapes_(shapes), measures_(measures) {}
 
   void add(std::size_t cell, const Point3& site) {
-    Moments moments{shapes_.dimension};
+    Moments moments;
     shared_.clear();
-    double boundary = 0;
-    double surface = 0;
-    const auto share = [&](Index across, double size) {
-      surface += size;
-      if (across == kNone) {
-        boundary += size;
-      } else if (size > 0) {
-        shared_.emplace_back(across, size);
+    surface_ = boundary_ = 0;
+    apex_ = {};
+    if (!shapes_.empty(cell)) {
+      apex_ = corner(shapes_.loops[shapes_.cells[cell]]);
+      for (std::size_t l = shapes_.cells[cell]; l < shapes_.cells[cell + 1]; ++l) {
+        if constexpr (D == 2) {
+          add_loop(l, moments);
+        } else {
+          add_face(l, moments);
+        }
       }
-    };
-    if (shapes_.dimension == 2) {
-      add_plane(cell, site, moments, share);
-    } else {
-      add_space(cell, site, moments, share);
     }
     measures_.volume.push_back(moments.volume);
-    measures_.surface.push_back(surface);
-    measures_.boundary.push_back(boundary);
-    measures_.second_moment.push_back(moments.second);
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(shapes_.dimension); ++axis) {
-      const double shift = moments.volume > 0 ? moments.first[axis] / moments.volume : 0;
-      measures_.centroid.push_back(site[axis] + shift);
-    }
+    measures_.surface.push_back(surface_);
+    measures_.boundary.push_back(boundary_);
+    const Point3 shift = apex_ - site;
+    measures_.second_moment.push_back(moments.second + 2 * dot(shift, moments.first) +
+                                      dot(shift, shift) * moments.volume);
+    for (std::size_t axis = 0; axis < D; ++axis)
+      measures_.centroid.push_back(moments.volume > 0 ? apex_[axis] + moments.first[axis] / moments.volume
+                                                      : site[axis]);
     add_neighbours();
   }
 
  private:
+  /// Seen from the apex.
   Point3 corner(std::size_t i) const {
     Point3 x{};
-    const auto d = static_cast<std::size_t>(shapes_.dimension);
-    std::copy_n(shapes_.corners.begin() + static_cast<std::ptrdiff_t>(i * d), d, x.begin());
+    for (std::size_t axis = 0; axis < D; ++axis) x[axis] = shapes_.corners[i * D + axis] - apex_[axis];
     return x;
   }
 
-  template <class Share>
-  void add_plane(std::size_t cell, const Point3& site, Moments& moments, const Share& share) {
-    if (shapes_.empty(cell)) return;
-    const Point3 apex = corner(shapes_.loops[shapes_.cells[cell]]);
-    for (std::size_t l = shapes_.cells[cell]; l < shapes_.cells[cell + 1]; ++l) {
-      for (std::size_t i = shapes_.loops[l]; i < shapes_.loops[l + 1]; ++i) {
-        const Point3 a = corner(i);
-        const Point3 b = corner(i + 1 == shapes_.loops[l + 1] ? shapes_.loops[l] : i + 1);
-        const Point3 edge = b - a;
-        share(shapes_.across[i], length(edge));
-        const Point3 arm = a - apex;
-        moments.add((arm[0] * edge[1] - arm[1] * edge[0]) / 2, std::array{apex - site, a - site, b - site});
-      }
+  void share(Index across, double size) {
+    surface_ += size;
+    if (across == kNone) {
+      boundary_ += size;
+    } else if (size > 0) {
+      shared_.emplace_back(across, size);
     }
   }
 
-  template <class Share>
-  void add_space(std::size_t cell, const Point3& site, Moments& moments, const Share& share) {
-    if (shapes_.empty(cell)) return;
-    const Point3 apex = corner(shapes_.loops[shapes_.cells[cell]]);
-    for (std::size_t l = shapes_.cells[cell]; l < shapes_.cells[cell + 1]; ++l) {
-      const Point3 a = corner(shapes_.loops[l]);
-      const Point3 arm = a - apex;
-      Point3 area{};
-      Point3 b = corner(shapes_.loops[l] + 1);
-      for (std::size_t i = shapes_.loops[l] + 2; i < shapes_.loops[l + 1]; ++i) {
-        const Point3 c = corner(i);
-        const Point3 triangle = cross(b - a, c - b);
-        area = area + triangle;
-        moments.add(dot(arm, triangle) / 6, std::array{apex - site, a - site, b - site, c - site});
-        b = c;
-      }
-      share(shapes_.across[l], length(area) / 2);
+  void add_loop(std::size_t l, Moments& moments) {
+    const std::size_t begin = shapes_.loops[l];
+    const std::size_t end = shapes_.loops[l + 1];
+    Index across = shapes_.across[end - 1];
+    Point3 a = corner(end - 1);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Point3 b = corner(i);
+      const Point3 edge = b - a;
+      share(across, length(edge));
+      moments.add((a[0] * edge[1] - a[1] * edge[0]) / 2, std::array{a, b});
+      across = shapes_.across[i];
+      a = b;
     }
+  }
+
+  void add_face(std::size_t l, Moments& moments) {
+    const std::size_t begin = shapes_.loops[l];
+    const Point3 a = corner(begin);
+    Point3 area{};
+    Point3 b = corner(begin + 1);
+    for (std::size_t i = begin + 2; i < shapes_.loops[l + 1]; ++i) {
+      const Point3 c = corner(i);
+      const Point3 triangle = cross(b - a, c - b);
+      area = area + triangle;
+      moments.add(dot(a, triangle) / 6, std::array{a, b, c});
+      b = c;
+    }
+    share(shapes_.across[l], length(area) / 2);
   }
 
   /// Ascending, what is shared in several parts summed up.
@@ -129,14 +130,21 @@ class Measurer {
   const CellShapes& shapes_;
   CellMeasures& measures_;
   std::vector<std::pair<Index, double>> shared_;
+  Point3 apex_{};  ///< the first corner of the cell
+  double surface_ = 0, boundary_ = 0;
 };
+
+template <int D>
+void append(const CellShapes& shapes, const std::vector<Point3>& sites, CellMeasures& measures) {
+  Measurer<D> measurer(shapes, measures);
+  for (std::size_t cell = 0; cell < shapes.size(); ++cell) measurer.add(cell, sites[cell]);
+}
 
 }  // namespace
 
-void append_measures(const CellShapes& shapes, const SiteOfCell& site, CellMeasures& measures) {
+void append_measures(const CellShapes& shapes, const std::vector<Point3>& sites, CellMeasures& measures) {
   measures.dimension = shapes.dimension;
-  Measurer measurer(shapes, measures);
-  for (std::size_t cell = 0; cell < shapes.size(); ++cell) measurer.add(cell, site(cell));
+  shapes.dimension == 2 ? append<2>(shapes, sites, measures) : append<3>(shapes, sites, measures);
 }
 
 }  // namespace delone::dual_detail

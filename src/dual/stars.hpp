@@ -21,13 +21,19 @@ struct Facet {
   std::size_t end;  ///< of its run in Star::ring
 };
 
+struct RingCell {
+  Centre centre;  ///< unless it is a ghost
+  CellId cell;
+  bool ghost;
+};
+
 /// What surrounds one site. Delaunay edges whose dual has no extent, since cells on one sphere only happen to be cut
 /// that way, are left out; so it does not depend on how ties are broken.
 struct Star {
   std::vector<Facet> facets;  ///< in the plane counter-clockwise
   /// Of full dimension: the cells around each facet, counter-clockwise from outside, no two that follow each other with
   /// the same centre, or for ghosts the same ray. In the plane one per facet, where its edge begins.
-  std::vector<CellId> ring;
+  std::vector<RingCell> ring;
 
   void clear() {
     facets.clear();
@@ -57,15 +63,21 @@ class StarReader {
  private:
   using View = ConstComplexView<K>;
 
-  /// Are the duals of two neighbouring cells the same vertex, or the same ray?
-  bool coincide(CellId c, CellId d, VertexId apex) {
-    const int ghost = complex_.ghost_slot(c);
-    if (ghost < 0 && !complex_.is_ghost(d))
-      return centres_ != nullptr ? centres_->coincide(c, d, apex)
-                                 : on_common_orthosphere<K>(kernel_, triangulation_.complex(), c, apex);
-    if (ghost < 0 || !complex_.is_ghost(d)) return false;
-    typename Kernel<K>::Cell flat = complex_.vertices(c);
-    flat[static_cast<std::size_t>(ghost)] = apex;
+  RingCell ring_cell(CellId c) {
+    const bool ghost = complex_.is_ghost(c);
+    if (ghost || centres_ == nullptr) return {{}, c, ghost};
+    return {(*centres_)[c], c, false};
+  }
+
+  /// Are the duals of two neighbouring cells the same vertex, or the same ray? @param apex  of d, which c lacks
+  bool coincide(const RingCell& c, const RingCell& d, VertexId apex) {
+    if (c.ghost != d.ghost) return false;
+    if (!c.ghost) {
+      return centres_ != nullptr ? centres_->coincide(c.centre, d.centre, c.cell, apex)
+                                 : on_common_orthosphere<K>(kernel_, triangulation_.complex(), c.cell, apex);
+    }
+    typename Kernel<K>::Cell flat = complex_.vertices(c.cell);
+    flat[static_cast<std::size_t>(complex_.ghost_slot(c.cell))] = apex;
     return kernel_.orient(flat) == 0;
   }
 
@@ -80,19 +92,19 @@ class StarReader {
 
   /// Turns about v. With v in slot i of a positive triangle, the edge to the corner in slot i + 2 follows its centre.
   void read_in_plane(VertexId v, Star& star) {
-    const CellId first = complex_.incident_cell(v);
-    CellId c = first;
+    RingCell c = ring_cell(complex_.incident_cell(v));
+    const CellId first = c.cell;
     do {
-      const int i = complex_.slot_of(c, v);
-      const VertexId u = complex_.vertex(c, View::turned(i, 2));
-      const FacetId across = complex_.twin(c, View::turned(i, 1));
-      const CellId next = complex_.cell(across);
+      const int i = complex_.slot_of(c.cell, v);
+      const VertexId u = complex_.vertex(c.cell, View::turned(i, 2));
+      const FacetId across = complex_.twin(c.cell, View::turned(i, 1));
+      const RingCell next = ring_cell(complex_.cell(across));
       if (u != kGhost && !coincide(c, next, complex_.vertex(across))) {
         star.ring.push_back(c);
         star.facets.push_back({u, star.ring.size()});
       }
       c = next;
-    } while (c != first);
+    } while (c.cell != first);
   }
 
   void read_in_space(VertexId v, Star& star) {
@@ -128,19 +140,15 @@ class StarReader {
     const bool even = ((i > j) + (i > a) + (i > rest) + (j > a) + (j > rest) + (a > rest)) % 2 == 0;
     VertexId behind = complex_.vertex(first, even ? a : rest);
     VertexId ahead = complex_.vertex(first, even ? rest : a);
-    CellId c = first;
-    std::size_t distinct = 0;
+    RingCell c = ring_cell(first);
     do {
-      const FacetId across = complex_.twin(c, complex_.slot_of(c, behind));
-      const CellId next = complex_.cell(across);
-      if (!coincide(c, next, complex_.vertex(across))) {
-        ++distinct;
-        star.ring.push_back(c);
-      }
+      const FacetId across = complex_.twin(c.cell, complex_.slot_of(c.cell, behind));
+      const RingCell next = ring_cell(complex_.cell(across));
+      if (!coincide(c, next, complex_.vertex(across))) star.ring.push_back(c);
       behind = std::exchange(ahead, complex_.vertex(across));
       c = next;
-    } while (c != first);
-    if (distinct >= 3) {
+    } while (c.cell != first);
+    if (star.ring.size() - begin >= 3) {
       star.facets.push_back({u, star.ring.size()});
     } else {
       star.ring.resize(begin);

@@ -1,0 +1,32 @@
+// How a region is seen while cells are cut: from the middle of its bounding box, in units that make it a few units
+// large. There coordinates keep most digits, and nothing overflows or underflows, whatever the units of the input.
+#pragma once
+
+#include <vector>
+
+#include "delone/dual/region.hpp"
+#include "dual/loops.hpp"
+#include "dual/polytope.hpp"
+
+namespace delone::dual_detail {
+
+struct Frame {
+  explicit Frame(const Region& region);
+
+  /// A coordinate as it is seen, a difference of two, and back.
+  double seen(double x, std::size_t axis) const { return scaled(x - middle[axis]); }
+  double scaled(double difference) const { return difference * scale; }
+  double placed(double x, std::size_t axis) const { return x * unit + middle[axis]; }
+
+  int dimension;
+  Point3 middle;
+  double scale;  ///< a power of two
+  double unit;   ///< 1 / scale
+  Bound bound;   ///< of the region
+  Point3 low, high;
+  Loops loops;                  ///< in the plane
+  std::vector<Plane> sides;     ///< of a convex region
+  std::vector<Polygon3> faces;  ///< in space, one on each side
+};
+
+}  // namespace delone::dual_detail
