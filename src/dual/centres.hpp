@@ -20,6 +20,7 @@ struct Centre {
   Point3 at;
   float reach;  ///< of the cell's corners and the centre from its first corner: the error of the centre is less than
                 ///< 2^-42 of it, and than 2^-46 of the region's size while the reach is no larger
+  bool near;    ///< the region, so that lines between two such centres keep their digits in it
   bool within;  ///< a convex region
 };
 
@@ -86,7 +87,7 @@ class Centres {
     std::array<double, kAxes> offset, error;
     solve(d, lift, size, offset, error);
     for (std::size_t j = 0; j < kAxes; ++j) reach = std::max(reach, std::abs(offset[j]));
-    const double tolerance = std::min(0x1p-43 * reach, 0x1p-47 * frame_.bound.radius / frame_.scale);
+    const double tolerance = std::min(0x1p-43 * reach, 0x1p-47 * frame_.radius / frame_.scale);
     bool good = reach < 0x1p300 && reach > 0x1p-200;  // no product overflows, and what underflows is far below
     for (std::size_t j = 0; j < kAxes; ++j) good = good && error[j] < tolerance;
     if (!good) {
@@ -96,8 +97,11 @@ class Centres {
         reach = std::max(reach, std::abs(offset[j]));
       }
     }
-    Centre centre{{}, static_cast<float>(frame_.scaled(reach)), true};
-    for (std::size_t j = 0; j < kAxes; ++j) centre.at[j] = frame_.scaled((origin[j] - frame_.middle[j]) + offset[j]);
+    Centre centre{{}, static_cast<float>(frame_.scaled(reach)), true, true};
+    for (std::size_t j = 0; j < kAxes; ++j) {
+      centre.at[j] = frame_.scaled((origin[j] - frame_.middle[j]) + offset[j]);
+      centre.near &= std::abs(centre.at[j]) <= 64 * frame_.radius;
+    }
     for (const Plane& side : frame_.sides) centre.within &= dot(side.normal, centre.at) <= side.offset;
     return centre;
   }

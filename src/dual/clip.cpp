@@ -54,12 +54,12 @@ class Pool {
 };
 
 /// A block of cells, where they are and in their own units.
-struct Block {
-  std::vector<VertexId> sites;
-  CellShapes shapes;
+struct Block : dual_detail::ClippedBlock {
   CellMeasures measures;
 
   void clear() {
+    sites.clear();
+    doubtful.clear();
     shapes.corners.clear();
     shapes.loops.resize(1);
     shapes.cells.resize(1);
@@ -123,7 +123,7 @@ void produce(const AnyTriangulation& t, const Region& region, Want want, const C
     const ExactEnvironment environment;
     auto worker = workers.take([&] { return std::make_unique<Worker>(t, frame); });
     worker->block.clear();
-    worker->clipper.block(begin, end, worker->block.shapes, worker->block.sites);
+    worker->clipper.read(begin, end, worker->block);
     if (want != Want::shapes) {
       worker->block.measure(t, frame);
       worker->block.place_measures(frame);
@@ -196,6 +196,7 @@ void spread(const Block& block, CellMeasures& all) {
 
 /// What was found about the neighbours of a block.
 struct Neighbours {
+  std::vector<std::array<Index, 2>> doubtful;
   std::vector<Index> rows;
   std::vector<std::size_t> offsets;
   std::vector<Index> neighbours;
@@ -210,6 +211,45 @@ void spread(const Neighbours& from, CellMeasures& all) {
     std::copy(from.neighbours.begin() + begin, from.neighbours.begin() + end, all.neighbours.begin() + at);
     std::copy(from.shared.begin() + begin, from.shared.begin() + end, all.shared.begin() + at);
   }
+}
+
+/// Where `row` says what it shares with `other`; nothing when it does not know of it.
+double* shared_with(CellMeasures& all, Index row, Index other) {
+  const auto begin = all.neighbours.begin() + static_cast<std::ptrdiff_t>(all.offsets[row]);
+  const auto end = all.neighbours.begin() + static_cast<std::ptrdiff_t>(all.offsets[row + std::size_t{1}]);
+  const auto found = std::lower_bound(begin, end, other);
+  return found == end || *found != other ? nullptr
+                                         : &all.shared[static_cast<std::size_t>(found - all.neighbours.begin())];
+}
+
+/// What two cells share is what the lower row says; nothing when one of them does not know of it.
+void agree(const std::vector<std::array<Index, 2>>& doubtful, CellMeasures& all) {
+  for (const auto& [a, b] : doubtful) {
+    double* const low = shared_with(all, std::min(a, b), std::max(a, b));
+    double* const high = shared_with(all, std::max(a, b), std::min(a, b));
+    if (low != nullptr && high != nullptr) {
+      *high = *low;
+    } else if (low != nullptr || high != nullptr) {
+      *(low != nullptr ? low : high) = 0;
+    }
+  }
+}
+
+void drop_unshared(CellMeasures& all) {
+  if (std::ranges::find(all.shared, 0.0) == all.shared.end()) return;
+  std::size_t kept = 0;
+  std::size_t begin = 0;
+  for (std::size_t row = 0; row + 1 < all.offsets.size(); ++row) {
+    const std::size_t end = all.offsets[row + 1];
+    for (; begin < end; ++begin) {
+      if (all.shared[begin] == 0) continue;
+      all.neighbours[kept] = all.neighbours[begin];
+      all.shared[kept++] = all.shared[begin];
+    }
+    all.offsets[row + 1] = kept;
+  }
+  all.neighbours.resize(kept);
+  all.shared.resize(kept);
 }
 
 }  // namespace
@@ -237,12 +277,15 @@ CellMeasures measure_cells(const AnyTriangulation& t, const Region& region, cons
   std::vector<Neighbours> found(block_count(t));
   produce(t, region, Want::measures, options, [&](std::size_t number, const Block& block) {
     spread(block, all);
-    found[number] = {block.shapes.rows, block.measures.offsets, block.measures.neighbours, block.measures.shared};
+    found[number] = {block.doubtful, block.shapes.rows, block.measures.offsets, block.measures.neighbours,
+                     block.measures.shared};
   });
   std::partial_sum(all.offsets.begin(), all.offsets.end(), all.offsets.begin());
   all.neighbours.resize(all.offsets.back());
   all.shared.resize(all.offsets.back());
   for (const Neighbours& block : found) spread(block, all);
+  for (const Neighbours& block : found) agree(block.doubtful, all);
+  drop_unshared(all);
   return all;
 }
 
@@ -266,17 +309,19 @@ CellShapes cut_cells(PointsView points, const Region& region, const std::vector<
   writer.begin(shapes);
   for (std::size_t cell = 0; cell + 1 < offsets.size(); ++cell) {
     tell(options.progress, cell, offsets.size());
+    const auto eye = offsets[cell] < offsets[cell + 1] ? points[cuts[offsets[cell]].near] : std::span<const double>();
+    writer.look_from(eye);
     planes.clear();
     for (std::size_t i = offsets[cell]; i < offsets[cell + 1]; ++i)
       planes.push_back(dual_detail::bisector(points[cuts[i].near], points.weight(cuts[i].near), points[cuts[i].far],
-                                             points.weight(cuts[i].far), frame, cuts[i].across));
+                                             points.weight(cuts[i].far), frame, eye, cuts[i].across));
     if (region.dimension() == 3) {
-      writer.add_polytope(planes);
+      writer.add_cut_region(planes);
     } else {
-      dual_detail::Loops loops = frame.loops;
+      dual_detail::Loops loops = writer.seen_from_eye(frame.loops);
       for (const auto& plane : planes)
         cutter.cut(loops, {{plane.normal[0], plane.normal[1]}, plane.offset}, plane.across);
-      if (!loops.empty()) writer.add(loops);
+      writer.add_seen_from_eye(std::move(loops));
     }
     writer.end_cell(static_cast<Index>(cell));
   }

@@ -26,15 +26,17 @@ bool reaches_over(const Polygon3& polygon, const Plane& side) {
 }
 
 bool is_within(const RingCell& c) { return !c.ghost && c.centre.within; }
+bool is_near(const RingCell& c) { return c.ghost || c.centre.near; }
 
 }  // namespace
 
 Plane bisector(std::span<const double> near, double near_weight, std::span<const double> far, double far_weight,
-               const Frame& frame, Index across) {
-  Plane plane{{}, 0.5 * (frame.scaled(near_weight) - frame.scaled(far_weight)) * frame.scale, across};
+               const Frame& frame, std::span<const double> eye, Index across) {
+  Plane plane{{}, frame.scaled(frame.scaled(near_weight / 2 - far_weight / 2)), across};
   for (std::size_t axis = 0; axis < near.size(); ++axis) {
     plane.normal[axis] = frame.scaled(far[axis] - near[axis]);
-    plane.offset += plane.normal[axis] * (0.5 * (frame.seen(near[axis], axis) + frame.seen(far[axis], axis)));
+    plane.offset +=
+        plane.normal[axis] * (0.5 * (frame.scaled(near[axis] - eye[axis]) + frame.scaled(far[axis] - eye[axis])));
   }
   return plane;
 }
@@ -48,7 +50,7 @@ void CellWriter::add(std::span<const Corner> loop) {
 }
 
 void CellWriter::add_without_short_edges(std::span<const Corner> loop) {
-  const double narrow = kNarrow * frame_.bound.radius;
+  const double narrow = kNarrow * frame_.radius;
   kept_.clear();
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const auto& [x, y] = loop[i].at;
@@ -87,26 +89,6 @@ void CellWriter::add(const Loops& loops) {
   }
 }
 
-void CellWriter::add_face(const Plane& plane, std::span<const Plane> cuts) {
-  cutter_.begin(plane, frame_.bound);
-  for (const Plane& side : frame_.sides) cutter_.cut(side);
-  for (const Plane& cut : cuts) {
-    if (&cut != &plane) cutter_.cut(cut);
-  }
-  add_face(cutter_.end(frame_.bound), plane.across);
-}
-
-void CellWriter::add_face(const Polygon3& face, Index across, std::span<const Plane> cuts) {
-  cutter_.begin(face);
-  for (const Plane& cut : cuts) cutter_.cut(cut);
-  add_face(cutter_.end(frame_.bound), across);
-}
-
-void CellWriter::add_polytope(std::span<const Plane> planes) {
-  for (const Plane& plane : planes) add_face(plane, planes);
-  for (const Polygon3& face : frame_.faces) add_face(face, kNone, planes);
-}
-
 void CellWriter::add_face(const Polygon3& face, Index across) {
   if (face.empty()) return;
   for (const Point3& corner : face) shapes_->corners.insert(shapes_->corners.end(), corner.begin(), corner.end());
@@ -114,20 +96,53 @@ void CellWriter::add_face(const Polygon3& face, Index across) {
   shapes_->across.push_back(across);
 }
 
+void CellWriter::add_cut_face(const Polygon3& face, Index across, std::span<const Plane> cuts) {
+  cutter_.begin(face);
+  for (const Plane& cut : cuts) cutter_.cut(cut);
+  add_face(cutter_.end(kNarrow * frame_.radius), across);
+}
+
+void CellWriter::look_from(std::span<const double> eye) {
+  eye_ = {};
+  for (std::size_t axis = 0; axis < eye.size(); ++axis) eye_[axis] = frame_.seen(eye[axis], axis);
+}
+
+Loops CellWriter::seen_from_eye(Loops loops) const {
+  for (Corner& corner : loops.corners) corner.at = {corner.at[0] - eye_[0], corner.at[1] - eye_[1]};
+  return loops;
+}
+
+void CellWriter::add_seen_from_eye(Loops loops) {
+  for (Corner& corner : loops.corners) corner.at = {corner.at[0] + eye_[0], corner.at[1] + eye_[1]};
+  if (!loops.empty()) add(loops);
+}
+
+void CellWriter::add_cut_region(std::span<const Plane> cuts) {
+  polytope_ = frame_.polytope;
+  polytope_.move(-1.0 * eye_);
+  for (const Plane& cut : cuts) polytope_.cut(cut);
+  polytope_.move(eye_);
+  for (const Polytope::Face& face : polytope_.faces()) add_cut_face(polytope_.polygon(face), face.across, {});
+}
+
+template <int D>
+std::array<double, Clipper<D>::kAxes> Clipper<D>::place(VertexId v) const {
+  std::array<double, kAxes> x;
+  for (int axis = 0; axis < D; ++axis) x[static_cast<std::size_t>(axis)] = t_.sites().coordinate(v, axis);
+  return x;
+}
+
+/// Seen from v.
 template <int D>
 Plane Clipper<D>::bisector_of(VertexId v, VertexId u) const {
-  std::array<double, kAxes> near, far;
-  for (int axis = 0; axis < D; ++axis) {
-    near[static_cast<std::size_t>(axis)] = t_.sites().coordinate(v, axis);
-    far[static_cast<std::size_t>(axis)] = t_.sites().coordinate(u, axis);
-  }
-  return bisector(near, t_.sites().weight(v), far, t_.sites().weight(u), frame_, t_.sites().row(u));
+  const auto near = place(v);
+  return bisector(near, t_.sites().weight(v), place(u), t_.sites().weight(u), frame_, near, t_.sites().row(u));
 }
 
 template <int D>
 void Clipper<D>::end_cell(VertexId v) {
   writer_.end_cell(t_.sites().row(v));
-  site_of_cell_->push_back(v);
+  block_->sites.push_back(v);
 }
 
 /// The outward normal of a hull facet, of length 1: a ghost cell is positive with its ghost outside. Rounded where the
@@ -140,7 +155,7 @@ Point3 Clipper<D>::ray(CellId ghost) const {
   for (std::size_t i = 0; i < kAxes; ++i) {
     facet[i] = complex.vertex(ghost, static_cast<int>(i));
     for (std::size_t axis = 0; axis < kAxes; ++axis)
-      at[i][axis] = frame_.seen(t_.sites().coordinate(facet[i], static_cast<int>(axis)), axis);
+      at[i][axis] = frame_.scaled(place(facet[i])[axis] - place(facet[0])[axis]);
   }
   const Point3 along = at[1] - at[0];
   Point3 normal{-along[1], along[0], 0};
@@ -162,7 +177,7 @@ Point3 Clipper<D>::ray(CellId ghost) const {
 /// cell, or a facet, lead less than two right angles apart.
 template <int D>
 void Clipper<D>::add_far_corners(const Point3& a, CellId first, CellId last, const Point3& b, const Point3& axis) {
-  const double far = 8 * (frame_.bound.radius + std::sqrt(std::max(dot(a, a), dot(b, b))));
+  const double far = 8 * (frame_.radius + std::sqrt(std::max(dot(a, a), dot(b, b))));
   const Point3 from = ray(first);
   const Point3 to = ray(last);
   polygon_.push_back(a + far * from);
@@ -191,22 +206,16 @@ void Clipper<D>::read_facet(std::span<const RingCell> ring, const Point3& axis) 
 }
 
 template <int D>
-bool Clipper<D>::polygon_is_finite() const {
-  return std::ranges::all_of(polygon_, [](const Point3& x) { return std::isfinite(x[0] + x[1] + x[2]); });
-}
-
-template <int D>
-void Clipper<D>::block(std::size_t begin, std::size_t end, CellShapes& shapes, std::vector<VertexId>& sites) {
-  writer_.begin(shapes);
-  sites.clear();
-  site_of_cell_ = &sites;
+void Clipper<D>::read(std::size_t begin, std::size_t end, ClippedBlock& block) {
+  block_ = &block;
+  writer_.begin(block.shapes);
   if constexpr (D == 2) {
     planar_block(begin, end);
   } else {
     for (std::size_t s = begin; s < end; ++s) {
       const VertexId v{static_cast<Index>(s)};
       if (t_.sites().is_empty(v)) continue;
-      if (is_vertex(v)) full_ ? write_spatial(v) : write_by_planes(v);
+      if (is_vertex(v)) write_spatial(v);
       end_cell(v);
     }
   }
@@ -221,22 +230,24 @@ void Clipper<D>::planar_block(std::size_t begin, std::size_t end) {
   }
   if (frame_.sides.empty() || !full_) return divide(cells_, frame_.loops);
   for (const PlanarCell& cell : cells_) {
-    if (cell.exists) write_placed(cell);
+    if (cell.exists) write_planar(cell);
     end_cell(cell.site);
   }
 }
 
 /// In the plane: of the cell of a hull vertex, whose edge i comes from infinity, while the one before leads there.
+/// Returns whether both begin near the region.
 template <int D>
-void Clipper<D>::read_far_corners(std::size_t i) {
+bool Clipper<D>::read_far_corners(std::size_t i) {
   const Complex& complex = t_.complex();
   const CellId c = star_.ring[i].cell;
-  const Point3 before = star_.ring[i == 0 ? star_.ring.size() - 1 : i - 1].centre.at;
-  const Point3 after = centres_[complex.cell(complex.twin(c, D))].at;
+  const Centre before = star_.ring[i == 0 ? star_.ring.size() - 1 : i - 1].centre;
+  const Centre after = centres_[complex.cell(complex.twin(c, D))];
   int slot = 0;
   while (complex.vertex(c, slot) != star_.facets[i].neighbour) ++slot;
   polygon_.clear();
-  add_far_corners(before, complex.cell(complex.twin(c, slot)), c, after, {0, 0, 1});
+  add_far_corners(before.at, complex.cell(complex.twin(c, slot)), c, after.at, {0, 0, 1});
+  return before.near && after.near;
 }
 
 template <int D>
@@ -254,11 +265,12 @@ typename Clipper<D>::PlanarCell Clipper<D>::read_planar(VertexId v) {
     const RingCell& c = star_.ring[i];
     if (c.ghost) {
       cell.within = false;
-      read_far_corners(i);
+      cell.placed = read_far_corners(i) && cell.placed;
       for (const Point3& at : polygon_) corners_.push_back({{at[0], at[1]}, kWindow});
       corners_.back().across = across;
     } else {
       cell.within = cell.within && c.centre.within;
+      cell.placed = cell.placed && c.centre.near;
       corners_.push_back({{c.centre.at[0], c.centre.at[1]}, across});
     }
   }
@@ -267,7 +279,6 @@ typename Clipper<D>::PlanarCell Clipper<D>::read_planar(VertexId v) {
       const double x = corners_[i].at[axis];
       cell.low[axis] = std::min(cell.low[axis], x);
       cell.high[axis] = std::max(cell.high[axis], x);
-      cell.placed = cell.placed && std::isfinite(x);
     }
   }
   cell.end = corners_.size();
@@ -275,7 +286,7 @@ typename Clipper<D>::PlanarCell Clipper<D>::read_planar(VertexId v) {
 }
 
 template <int D>
-void Clipper<D>::write_placed(const PlanarCell& cell) {
+void Clipper<D>::write_planar(const PlanarCell& cell) {
   const auto corners = std::span(corners_).subspan(cell.begin, cell.end - cell.begin);
   if (!cell.placed) return cut_region(cell, frame_.loops);
   if (cell.within) return writer_.add(corners);
@@ -298,7 +309,7 @@ Loops Clipper<D>::around(std::span<const PlanarCell> cells, Loops region) {
     }
   }
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double margin = (high[axis] - low[axis]) / 32 + 0x1p-40 * frame_.bound.radius;
+    const double margin = (high[axis] - low[axis]) / 32 + 0x1p-40 * frame_.radius;
     HalfPlane side{{}, high[axis] + margin};
     side.normal[axis] = 1;
     cutter_.cut(region, side, kWindow);
@@ -333,21 +344,23 @@ void Clipper<D>::divide(std::span<const PlanarCell> cells, Loops region) {
 }
 
 template <int D>
-void Clipper<D>::cut_region(const PlanarCell& cell, Loops region) {
+void Clipper<D>::cut_region(const PlanarCell& cell, const Loops& region) {
+  writer_.look_from(place(cell.site));
+  Loops left = writer_.seen_from_eye(region);
   for (std::size_t i = cell.begin; i < cell.end; ++i) {
     if (corners_[i].across == kWindow) continue;
     const Plane plane = bisector_of(cell.site, t_.vertex(corners_[i].across));
-    cutter_.cut(region, {{plane.normal[0], plane.normal[1]}, plane.offset}, plane.across);
+    block_->doubtful.push_back({t_.sites().row(cell.site), plane.across});
+    cutter_.cut(left, {{plane.normal[0], plane.normal[1]}, plane.offset}, plane.across);
   }
-  if (!region.empty()) writer_.add(region);
+  writer_.add_seen_from_eye(std::move(left));
 }
 
-/// Faces from centres; where one reaches over sides of the region it is cut by them, and so are the faces of the region
-/// on these sides by the cell.
+/// From centres, where all are near; else from the bisectors alone.
 template <int D>
 void Clipper<D>::write_spatial(VertexId v) {
   stars_.read(v, star_);
-  if (std::ranges::all_of(star_.ring, is_within)) {
+  if (full_ && std::ranges::all_of(star_.ring, is_within)) {
     std::size_t next = 0;
     for (const Facet& facet : star_.facets) {
       polygon_.clear();
@@ -358,38 +371,33 @@ void Clipper<D>::write_spatial(VertexId v) {
   }
   planes_.clear();
   for (const Facet& facet : star_.facets) planes_.push_back(bisector_of(v, facet.neighbour));
+  if (full_ && std::ranges::all_of(star_.ring, is_near)) return write_placed(v);
+  for (const Plane& plane : planes_) block_->doubtful.push_back({t_.sites().row(v), plane.across});
+  writer_.look_from(place(v));
+  writer_.add_cut_region(planes_);
+}
+
+/// Faces from centres; where one reaches over sides of the region it is cut by them, and so are the faces of the region
+/// on these sides by the cell.
+template <int D>
+void Clipper<D>::write_placed(VertexId v) {
   crossed_.assign(frame_.sides.size(), false);
   std::size_t begin = 0;
   for (std::size_t i = 0; i < planes_.size(); ++i) {
     const auto ring = std::span(star_.ring).subspan(begin, star_.facets[i].end - begin);
     begin = star_.facets[i].end;
     read_facet(ring, planes_[i].normal);
-    if (std::ranges::all_of(ring, is_within)) {
-      writer_.add_face(polygon_, planes_[i].across);
-      continue;
-    }
-    const bool finite = polygon_is_finite();
     for (std::size_t side = 0; side < frame_.sides.size(); ++side) {
-      if (!finite || reaches_over(polygon_, frame_.sides[side])) crossed_[side] = true;
+      if (reaches_over(polygon_, frame_.sides[side])) crossed_[side] = true;
     }
-    if (finite) {
-      writer_.add_face(polygon_, planes_[i].across, frame_.sides);
-    } else {
-      writer_.add_face(planes_[i], planes_);
-    }
+    writer_.add_cut_face(polygon_, planes_[i].across, frame_.sides);
   }
+  // The bisectors as the frame sees them.
+  writer_.look_from(place(v));
+  for (Plane& plane : planes_) plane.offset += dot(plane.normal, writer_.eye());
   for (std::size_t side = 0; side < frame_.sides.size(); ++side) {
-    if (crossed_[side]) writer_.add_face(frame_.faces[side], kNone, planes_);
+    if (crossed_[side]) writer_.add_cut_face(frame_.faces[side], kNone, planes_);
   }
-}
-
-/// The same from the bisectors alone.
-template <int D>
-void Clipper<D>::write_by_planes(VertexId v) {
-  stars_.read(v, star_);
-  planes_.clear();
-  for (const Facet& facet : star_.facets) planes_.push_back(bisector_of(v, facet.neighbour));
-  writer_.add_polytope(planes_);
 }
 
 template class Clipper<2>;

@@ -20,9 +20,19 @@
 
 namespace delone::dual_detail {
 
-/// What is nearer to one site than to another, by power.
+/// What is nearer to one site than to another, by power, seen from an eye: where it is one of the sites nothing
+/// cancels, so that the bisectors of sites that are close together keep their digits.
 Plane bisector(std::span<const double> near, double near_weight, std::span<const double> far, double far_weight,
-               const Frame& frame, Index across);
+               const Frame& frame, std::span<const double> eye, Index across);
+
+/// Cells of some sites, seen in a frame.
+struct ClippedBlock {
+  CellShapes shapes;
+  std::vector<VertexId> sites;  ///< of the cells
+  /// Rows whose cells may have a border in common, of which the first was cut out of the region by bisectors: the other
+  /// may tell otherwise about a border that is hardly longer than rounding errors.
+  std::vector<std::array<Index, 2>> doubtful;
+};
 
 /// Appends cells to shapes, whose corners are seen in the frame too.
 class CellWriter {
@@ -37,16 +47,22 @@ class CellWriter {
     shapes_->rows.push_back(row);
     shapes_->cells.push_back(shapes_->loops.size() - 1);
   }
-  /// In the plane: a loop whose corners are given, or all loops of what was cut, each hole after its piece.
+  /// In the plane: a loop, or all loops of what was cut, each hole after its piece.
   void add(std::span<const Corner> loop);
   void add(const Loops& loops);
-  /// In space: what planes leave of a plane within the region, or of a face of the region.
-  void add_face(const Plane& plane, std::span<const Plane> cuts);
-  void add_face(const Polygon3& face, Index across, std::span<const Plane> cuts);
-  /// In space: what planes leave of the region.
-  void add_polytope(std::span<const Plane> planes);
-  /// A face that lies in the region.
+  /// In space: a face that lies in the region.
   void add_face(const Polygon3& face, Index across);
+  /// What planes leave of it.
+  void add_cut_face(const Polygon3& face, Index across, std::span<const Plane> cuts);
+
+  /// Cells cut out of the region, seen from an eye.
+  /// @param eye  its coordinates
+  void look_from(std::span<const double> eye);
+  const Point3& eye() const { return eye_; }  ///< as the frame sees it
+  Loops seen_from_eye(Loops loops) const;
+  void add_seen_from_eye(Loops loops);
+  /// In space: what planes leave of the region.
+  void add_cut_region(std::span<const Plane> cuts);
 
  private:
   void add_without_short_edges(std::span<const Corner> loop);
@@ -55,6 +71,8 @@ class CellWriter {
   CellShapes* shapes_ = nullptr;
   FaceCutter cutter_;
   std::vector<Corner> kept_;
+  Point3 eye_{};
+  Polytope polytope_;
 };
 
 template <int D>
@@ -69,8 +87,7 @@ class Clipper {
         writer_(frame) {}
 
   /// The cells of the sites begin to end, slots of removed ones left out.
-  /// @param sites  become those of the cells
-  void block(std::size_t begin, std::size_t end, CellShapes& shapes, std::vector<VertexId>& sites);
+  void read(std::size_t begin, std::size_t end, ClippedBlock& block);
 
  private:
   static constexpr auto kAxes = static_cast<std::size_t>(D);
@@ -86,24 +103,24 @@ class Clipper {
   };
 
   bool is_vertex(VertexId v) const { return t_.complex().incident_cell(v) != kNoCell; }
+  std::array<double, kAxes> place(VertexId v) const;
   Plane bisector_of(VertexId v, VertexId u) const;
   void end_cell(VertexId v);
   Point3 ray(CellId ghost) const;
   /// The run of ghosts in a ring as corners far outside: from the finite cell before to the one after them.
   void add_far_corners(const Point3& before, CellId first, CellId last, const Point3& after, const Point3& axis);
   void read_facet(std::span<const RingCell> ring, const Point3& axis);
-  bool polygon_is_finite() const;
 
   void planar_block(std::size_t begin, std::size_t end);
-  void read_far_corners(std::size_t i);
+  bool read_far_corners(std::size_t i);
   PlanarCell read_planar(VertexId v);
-  void write_placed(const PlanarCell& cell);
+  void write_planar(const PlanarCell& cell);
   void divide(std::span<const PlanarCell> cells, Loops region);
   Loops around(std::span<const PlanarCell> cells, Loops region);
-  void cut_region(const PlanarCell& cell, Loops region);
+  void cut_region(const PlanarCell& cell, const Loops& region);
 
   void write_spatial(VertexId v);
-  void write_by_planes(VertexId v);
+  void write_placed(VertexId v);
 
   const AnyTriangulation& t_;
   const Frame& frame_;
@@ -111,7 +128,7 @@ class Clipper {
   Centres<D> centres_;
   Stars stars_;
   CellWriter writer_;
-  std::vector<VertexId>* site_of_cell_ = nullptr;
+  ClippedBlock* block_ = nullptr;
   Star star_;
   LoopCutter cutter_;
   std::vector<PlanarCell> cells_;

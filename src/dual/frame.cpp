@@ -16,19 +16,20 @@ Frame::Frame(const Region& region) : dimension(region.dimension()) {
     low[axis] = seen(region.low()[axis], axis);
     high[axis] = seen(region.high()[axis], axis);
   }
-  bound = {{}, std::sqrt(std::max(dot(low, low), dot(high, high)))};
-  for (const HalfSpace& side : region.sides())
-    sides.push_back({side.normal, scaled(side.offset - dot(side.normal, middle)), kNone});
-  for (const Ring& ring : region.rings()) {
-    for (const auto& [x, y] : ring) loops.corners.push_back({{seen(x, 0), seen(y, 1)}, kNone});
+  radius = std::sqrt(std::max(dot(low, low), dot(high, high)));
+  const Region::Seen& shape = region.seen();
+  const Point3 shift = shape.origin - middle;
+  for (const HalfSpace& side : shape.sides)
+    sides.push_back({side.normal, scaled(side.offset + dot(side.normal, shift)), kNone});
+  for (const Ring& ring : shape.rings) {
+    for (const auto& [x, y] : ring) loops.corners.push_back({{scaled(x + shift[0]), scaled(y + shift[1])}, kNone});
     loops.ends.push_back(loops.corners.size());
   }
-  for (const auto& face : region.faces()) {
-    Polygon3& polygon = faces.emplace_back(face);
-    for (Point3& corner : polygon) {
-      for (std::size_t axis = 0; axis < 3; ++axis) corner[axis] = seen(corner[axis], axis);
-    }
+  for (const auto& face : shape.faces) {
+    Polygon3& polygon = faces.emplace_back();
+    for (const Point3& corner : face) polygon.push_back(scale * (corner + shift));
   }
+  polytope = Polytope(faces);
 }
 
 }  // namespace delone::dual_detail

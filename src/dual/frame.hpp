@@ -22,11 +22,12 @@ struct Frame {
   Point3 middle;
   double scale;  ///< a power of two
   double unit;   ///< 1 / scale
-  Bound bound;   ///< of the region
   Point3 low, high;
+  double radius;                ///< from the middle to the corners of the box
   Loops loops;                  ///< in the plane
   std::vector<Plane> sides;     ///< of a convex region
   std::vector<Polygon3> faces;  ///< in space, one on each side
+  Polytope polytope;            ///< the same
 };
 
 }  // namespace delone::dual_detail

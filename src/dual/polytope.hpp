@@ -1,9 +1,13 @@
-// Faces of convex polytopes, each by itself: a polygon that holds the face is cut by planes. No links between faces are
-// kept, so nothing can become inconsistent; what two faces have in common they agree on up to rounding.
+// Convex polytopes and polygons in space, and what planes leave of them.
+//
+// A polytope is faces over common corners. Cutting decides once for each corner on which side of the plane it lies, and
+// makes one new corner on each edge between two sides, for both of its faces; so whatever was rounded, the surface
+// stays closed, and volumes that share a plane fit together.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,22 +25,55 @@ struct Plane {
   Index across;  ///< names what lies beyond
 };
 
-/// A ball that the polytope lies in.
-struct Bound {
-  Point3 centre;
-  double radius;
+class Polytope {
+ public:
+  struct Face {
+    std::size_t begin, end;  ///< of its corners in loops, counter-clockwise from outside
+    Index across;            ///< names what lies beyond
+  };
+
+  Polytope() = default;
+  /// From its faces, counter-clockwise from outside; equal corners are one. Nothing has a name beyond.
+  explicit Polytope(const std::vector<Polygon3>& faces);
+
+  void cut(const Plane& by);
+  void move(const Point3& by);
+  bool empty() const { return faces_.empty(); }
+  const std::vector<Face>& faces() const { return faces_; }
+  Point3 corner(std::size_t i) const { return corners_[loops_[i]]; }
+  Polygon3 polygon(const Face& face) const;
+
+ private:
+  using Corner = std::uint32_t;
+  struct Crossing {
+    Corner low, high, at;  ///< the edge, and the new corner on it
+  };
+
+  bool stays(Corner c) const { return side_[c] <= 0; }
+  Corner crossing(Corner stays, Corner goes);
+  void cut_face(const Face& face);
+  void close(Index across);
+  void drop_corners();
+
+  Polygon3 corners_;
+  std::vector<Corner> loops_;
+  std::vector<Face> faces_;
+  // Of the cut at hand.
+  std::vector<double> side_;
+  std::vector<Crossing> crossings_;
+  std::vector<Corner> new_loops_;
+  std::vector<Face> new_faces_;
+  std::vector<std::array<Corner, 2>> chords_;  ///< edges of the new face
 };
 
 /// Cuts one polygon after the other; keeps its memory.
 class FaceCutter {
  public:
-  /// Begins with all of a plane that lies in the bound; with nothing where they do not meet.
-  void begin(const Plane& plane, const Bound& bound);
   void begin(std::span<const Point3> polygon) { polygon_.assign(polygon.begin(), polygon.end()); }
   void cut(const Plane& by);
-  /// What is left, in the direction of rotation it began with, counter-clockwise from outside a plane; empty when it is
-  /// no wider than what rounding leaves. Valid until the next begin.
-  const Polygon3& end(const Bound& bound);
+  /// What is left, in the direction of rotation it began with, without edges that are no longer than `narrow`; empty
+  /// when it is no wider than that. Valid until the next begin.
+  const Polygon3& end(double narrow);
 
  private:
   Polygon3 polygon_, next_;

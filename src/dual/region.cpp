@@ -13,7 +13,6 @@
 namespace delone {
 namespace {
 
-using dual_detail::Bound;
 using dual_detail::Plane;
 using dual_detail::Point3;
 using dual_detail::operator+;
@@ -59,14 +58,13 @@ std::vector<std::vector<Point3>> box_faces(const Point3& low, const Point3& high
   return faces;
 }
 
-/// What half-spaces leave of a box, and which of them bound it. Computed around the box's middle, so that a polytope
-/// far from the origin keeps its digits.
+/// What half-spaces leave of a box, seen from the box's middle, so that a polytope far from the origin keeps its
+/// digits.
 struct Cut {
-  std::vector<HalfSpace> sides;
-  Ring ring;
-  std::vector<std::vector<Point3>> faces;
-  Point3 low{}, high{};
+  Region::Seen seen;
+  Point3 low{}, high{};  ///< seen likewise
 
+  bool empty() const { return seen.rings.empty() && seen.faces.empty(); }
   void include(const Point3& corner) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       low[axis] = std::min(low[axis], corner[axis]);
@@ -75,46 +73,46 @@ struct Cut {
   }
 };
 
-Cut cut_box(int dimension, std::vector<HalfSpace> sides, const Point3& low, const Point3& high) {
+void cut_in_plane(const Point3& half, const std::vector<Plane>& planes, Cut& cut) {
+  dual_detail::Loops loops;
+  for (const auto& [x, y] : box_ring(-1.0 * half, half)) loops.corners.push_back({{x, y}, kNone});
+  loops.ends.push_back(4);
+  dual_detail::LoopCutter cutter;
+  for (const Plane& plane : planes) cutter.cut(loops, {{plane.normal[0], plane.normal[1]}, plane.offset}, plane.across);
+  if (loops.empty()) return;
+  Ring ring;
+  for (std::size_t i = 0; i < loops.corners.size(); ++i) {
+    const auto& [at, across] = loops.corners[i];
+    if (at == loops.corners[i + 1 == loops.corners.size() ? 0 : i + 1].at) continue;
+    ring.push_back(at);
+    cut.include({at[0], at[1], 0});
+    if (across != kNone) cut.seen.sides.push_back({planes[across].normal, planes[across].offset});
+  }
+  cut.seen.rings.push_back(std::move(ring));
+}
+
+void cut_in_space(const Point3& half, const std::vector<Plane>& planes, Cut& cut) {
+  dual_detail::Polytope polytope(box_faces(-1.0 * half, half));
+  for (const Plane& plane : planes) polytope.cut(plane);
+  for (const auto& face : polytope.faces()) {
+    dual_detail::Polygon3 polygon = polytope.polygon(face);
+    for (const Point3& corner : polygon) cut.include(corner);
+    cut.seen.faces.push_back(std::move(polygon));
+    if (face.across != kNone) cut.seen.sides.push_back({planes[face.across].normal, planes[face.across].offset});
+  }
+}
+
+Cut cut_box(int dimension, const std::vector<HalfSpace>& sides, const Point3& low, const Point3& high) {
   const Point3 middle = 0.5 * low + 0.5 * high;
-  const Point3 half = high - middle;
-  const std::vector<HalfSpace> box = box_sides(dimension, low, high);
-  sides.insert(sides.end(), box.begin(), box.end());
   std::vector<Plane> planes;
   for (std::size_t i = 0; i < sides.size(); ++i)
     planes.push_back({sides[i].normal, sides[i].offset - dot(sides[i].normal, middle), static_cast<Index>(i)});
   Cut cut;
+  cut.seen.origin = middle;
   cut.low.fill(std::numeric_limits<double>::infinity());
   cut.high.fill(-std::numeric_limits<double>::infinity());
-  if (dimension == 2) {
-    dual_detail::Loops loops;
-    for (const auto& [x, y] : box_ring(-1.0 * half, half)) loops.corners.push_back({{x, y}, kNone});
-    loops.ends.push_back(4);
-    dual_detail::LoopCutter cutter;
-    for (const Plane& plane : planes)
-      cutter.cut(loops, {{plane.normal[0], plane.normal[1]}, plane.offset}, plane.across);
-    for (const auto& corner : loops.corners) {
-      const Point3 at = Point3{corner.at[0], corner.at[1], 0} + middle;
-      if (!cut.ring.empty() && cut.ring.back() == std::array{at[0], at[1]}) continue;
-      cut.ring.push_back({at[0], at[1]});
-      cut.include(at);
-      if (corner.across != kNone) cut.sides.push_back(sides[corner.across]);
-    }
-    return cut;
-  }
-  dual_detail::FaceCutter cutter;
-  const Bound bound{{}, 2 * std::sqrt(dot(half, half))};
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    cutter.begin(planes[i], bound);
-    for (std::size_t j = 0; j < planes.size(); ++j) {
-      if (j != i) cutter.cut(planes[j]);
-    }
-    std::vector<Point3> face = cutter.end(bound);
-    if (face.empty()) continue;
-    for (Point3& corner : face) cut.include(corner = corner + middle);
-    cut.faces.push_back(std::move(face));
-    cut.sides.push_back(sides[i]);
-  }
+  dimension == 2 ? cut_in_plane(high - middle, planes, cut) : cut_in_space(high - middle, planes, cut);
+  if (dimension == 2) cut.low[2] = cut.high[2] = 0;
   return cut;
 }
 
@@ -133,6 +131,8 @@ std::vector<HalfSpace> with_unit_normals(int dimension, std::vector<HalfSpace> s
   return sides;
 }
 
+double largest(const Point3& x) { return std::max({x[0], x[1], x[2]}); }
+
 void require_dimension(int dimension) {
   if (dimension != 2 && dimension != 3)
     throw InputError("regions have dimension 2 or 3, not " + std::to_string(dimension));
@@ -141,17 +141,39 @@ void require_dimension(int dimension) {
 }  // namespace
 
 void Region::settle() {
-  const Point3 middle = 0.5 * low_ + 0.5 * high_;
   measure_ = 0;
-  if (dimension_ == 2) {
-    for (const Ring& ring : rings_) {
-      std::vector<dual_detail::Corner> corners;
-      for (const auto& [x, y] : ring) corners.push_back({{x, y}, kNone});
-      measure_ += dual_detail::doubled_area(corners.data(), corners.data() + corners.size()) / 2;
-    }
-    return;
+  for (const Ring& ring : seen_.rings) {
+    std::vector<dual_detail::Corner> corners;
+    for (const auto& at : ring) corners.push_back({at, kNone});
+    measure_ += dual_detail::doubled_area(corners.data(), corners.data() + corners.size()) / 2;
   }
-  for (const auto& face : faces_) measure_ += dot(dual_detail::doubled_area(face), face[0] - middle) / 6;
+  for (const auto& face : seen_.faces)
+    measure_ += dot(dual_detail::doubled_area(face), face[0] - seen_.faces[0][0]) / 6;
+}
+
+std::vector<Ring> Region::rings() const {
+  std::vector<Ring> rings = seen_.rings;
+  for (Ring& ring : rings) {
+    for (auto& [x, y] : ring) {
+      x += seen_.origin[0];
+      y += seen_.origin[1];
+    }
+  }
+  return rings;
+}
+
+std::vector<HalfSpace> Region::sides() const {
+  std::vector<HalfSpace> sides = seen_.sides;
+  for (HalfSpace& side : sides) side.offset += dot(side.normal, seen_.origin);
+  return sides;
+}
+
+std::vector<std::vector<Point3>> Region::faces() const {
+  std::vector<std::vector<Point3>> faces = seen_.faces;
+  for (auto& face : faces) {
+    for (Point3& corner : face) corner = corner + seen_.origin;
+  }
+  return faces;
 }
 
 Region Region::box(std::span<const double> low, std::span<const double> high) {
@@ -166,44 +188,43 @@ Region Region::box(std::span<const double> low, std::span<const double> high) {
     region.low_[axis] = low[axis];
     region.high_[axis] = high[axis];
   }
-  region.sides_ = box_sides(region.dimension_, region.low_, region.high_);
+  region.seen_.sides = box_sides(region.dimension_, region.low_, region.high_);
   if (region.dimension_ == 2) {
-    region.rings_ = {box_ring(region.low_, region.high_)};
+    region.seen_.rings = {box_ring(region.low_, region.high_)};
   } else {
-    region.faces_ = box_faces(region.low_, region.high_);
+    region.seen_.faces = box_faces(region.low_, region.high_);
   }
   region.settle();
   return region;
 }
 
-/// Cut out of a box so large that it need not be looked for, which costs digits, then again out of one that fits.
+/// Cut out of boxes that grow until what is left does not reach their ends, then again out of one that fits, which
+/// keeps most digits.
 Region Region::half_spaces(int dimension, std::vector<HalfSpace> half_spaces) {
   require_dimension(dimension);
   half_spaces = with_unit_normals(dimension, std::move(half_spaces));
   double scale = std::numeric_limits<double>::min();
   for (const HalfSpace& side : half_spaces) scale = std::max(scale, std::abs(side.offset));
-  const double far = 0x1p30 * scale;
-  Point3 low{}, high{};
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) low[axis] = -(high[axis] = far);
+  const auto cube = [&](double half) {
+    const double z = dimension == 3 ? half : 0;
+    return cut_box(dimension, half_spaces, {-half, -half, -z}, {half, half, z});
+  };
+  Cut cut;
+  for (double half = 4 * scale;; half *= 16) {
+    if (half > 0x1p36 * scale) throw InputError("the half-spaces leave a region without end; add some that close it");
+    cut = cube(half);
+    if (cut.empty()) throw InputError("the half-spaces have no interior point in common");
+    if (std::max(largest(-1.0 * cut.low), largest(cut.high)) < half / 2) break;
+  }
+  const Point3 margin = 0.125 * (cut.high - cut.low);
+  cut = cut_box(dimension, half_spaces, cut.low - margin, cut.high + margin);  // the cube's middle is the origin
+  if (cut.empty()) throw InputError("the half-spaces have no interior point in common");
   Region region;
   region.dimension_ = dimension;
   region.convex_ = true;
-  for (int round = 0; round < 3; ++round) {
-    Cut cut = cut_box(dimension, half_spaces, low, high);
-    if (cut.ring.empty() && cut.faces.empty()) throw InputError("the half-spaces have no interior point in common");
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
-      if (std::max(-cut.low[axis], cut.high[axis]) > far / 2)
-        throw InputError("the half-spaces leave a region without end; add some that close it");
-      const double margin = (cut.high[axis] - cut.low[axis]) / 8 + 0x1p-50 * scale;
-      low[axis] = cut.low[axis] - margin;
-      high[axis] = cut.high[axis] + margin;
-    }
-    region.low_ = dimension == 3 ? cut.low : Point3{cut.low[0], cut.low[1], 0};
-    region.high_ = dimension == 3 ? cut.high : Point3{cut.high[0], cut.high[1], 0};
-    region.sides_ = std::move(cut.sides);
-    region.faces_ = std::move(cut.faces);
-    if (dimension == 2) region.rings_ = {std::move(cut.ring)};
-  }
+  region.low_ = cut.seen.origin + cut.low;
+  region.high_ = cut.seen.origin + cut.high;
+  region.seen_ = std::move(cut.seen);
   region.settle();
   if (!(region.measure_ > 0)) throw InputError("the half-spaces have no interior point in common");
   return region;
@@ -225,7 +246,7 @@ Region Region::polygon(std::vector<Ring> rings) {
       }
     }
   }
-  region.rings_ = std::move(rings);
+  region.seen_.rings = std::move(rings);
   region.settle();
   return region;
 }

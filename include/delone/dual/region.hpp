@@ -41,11 +41,20 @@ class Region {
   const std::array<double, 3>& low() const { return low_; }
   const std::array<double, 3>& high() const { return high_; }
   /// In the plane: outer rings counter-clockwise, holes clockwise, so that the region lies to the left of every edge.
-  const std::vector<Ring>& rings() const { return rings_; }
+  std::vector<Ring> rings() const;
   /// Of a convex region, those that bound it, with normals of length 1.
-  const std::vector<HalfSpace>& sides() const { return sides_; }
+  std::vector<HalfSpace> sides() const;
   /// In space: the corners of its face on each side, counter-clockwise from outside.
-  const std::vector<std::vector<std::array<double, 3>>>& faces() const { return faces_; }
+  std::vector<std::vector<std::array<double, 3>>> faces() const;
+
+  /// The same seen from an origin, which is near where coordinates there have more digits.
+  struct Seen {
+    std::array<double, 3> origin{};
+    std::vector<Ring> rings;
+    std::vector<HalfSpace> sides;
+    std::vector<std::vector<std::array<double, 3>>> faces;
+  };
+  const Seen& seen() const { return seen_; }
 
  private:
   Region() = default;
@@ -55,9 +64,7 @@ class Region {
   bool convex_ = false;
   double measure_ = 0;
   std::array<double, 3> low_{}, high_{};
-  std::vector<Ring> rings_;
-  std::vector<HalfSpace> sides_;
-  std::vector<std::vector<std::array<double, 3>>> faces_;
+  Seen seen_;
 };
 
 }  // namespace delone
