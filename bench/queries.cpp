@@ -5,14 +5,12 @@
 #include <cstdlib>
 #include <exception>
 #include <functional>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "bench/describe.hpp"
-#include "bench/peer.hpp"
 #include "bench/query_peer.hpp"
+#include "bench/rounds.hpp"
 #include "delone/build/build.hpp"
 #include "delone/order/brio.hpp"
 #include "delone/query/nearest.hpp"
@@ -21,36 +19,8 @@ namespace {
 
 using namespace delone;
 using bench::number;
-
-struct Sample {
-  double seconds = 0;
-  double processor = 0;
-};
-
-Sample timed(const std::function<void()>& work) {
-  const bench::Clock clock;
-  work();
-  bench::Run run;
-  clock.stop(run);
-  return {run.seconds, run.processor};
-}
-
-/// Runs that something else disturbed are repeated; what stays disturbed is counted.
-int disturbed = 0;
-
-double undisturbed_seconds(const std::function<void()>& work) {
-  Sample sample = timed(work);
-  for (int again = 0; again < 3 && sample.processor < 0.97 * sample.seconds; ++again) sample = timed(work);
-  if (sample.processor < 0.97 * sample.seconds) ++disturbed;
-  return sample.seconds;
-}
-
-std::vector<double> uniform(std::size_t count, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  std::vector<double> x(count);
-  for (double& value : x) value = static_cast<double>(random() >> 11) * 0x1p-53;
-  return x;
-}
+using bench::undisturbed_seconds;
+using bench::uniform;
 
 std::vector<double> along_curve(PointsView points) {
   const std::vector<int> axes{0, 1, 2};
@@ -69,10 +39,7 @@ struct Task {
 };
 
 std::string microseconds(const std::vector<double>& seconds, std::size_t queries) {
-  if (seconds.empty()) return "";
-  const auto s = lab::spread(seconds);
-  const double scale = 1e6 / static_cast<double>(queries);
-  return number(s.median * scale, 2) + " (" + number(s.least * scale, 2) + "-" + number(s.most * scale, 2) + ")";
+  return bench::spread_text(seconds, 1e6 / static_cast<double>(queries), 2);
 }
 
 void report(int dimension, std::size_t n, int rounds) {
@@ -160,7 +127,7 @@ void run(bool quick, int rounds) {
       "their order; nanoflann answers them one after the other. Given are the median and, in brackets, the least and\n"
       "the largest value; ratio: nanoflann's median by Delone's.\n");
   for (const int dimension : {2, 3}) report(dimension, quick ? 100000 : 1000000, rounds);
-  if (disturbed > 0) std::printf("\n%d runs had to share their processor: measure again.\n", disturbed);
+  if (bench::disturbed > 0) std::printf("\n%d runs had to share their processor: measure again.\n", bench::disturbed);
 }
 
 }  // namespace

@@ -65,6 +65,7 @@ std::span<const Experiment> experiments() {
       flips_experiment(),       //
       optimal_experiment(),     //
       arithmetic_experiment(),  //
+      order_k_experiment(),     //
   };
   return all;
 }

@@ -14,5 +14,6 @@ Experiment dimensions_experiment();
 Experiment flips_experiment();
 Experiment optimal_experiment();
 Experiment arithmetic_experiment();
+Experiment order_k_experiment();
 
 }  // namespace delone::lab

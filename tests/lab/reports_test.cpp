@@ -11,11 +11,8 @@ namespace {
 
 /// Experiments of [GKS92] with the least sizes that they take.
 std::vector<std::pair<Experiment, std::size_t>> small_experiments() {
-  return {{triangles_experiment(), 10},
-          {scope_experiment(), 3},
-          {location_experiment(), 10},
-          {batch_experiment(), 10},
-          {spheres_experiment(), 20}};
+  return {{triangles_experiment(), 10}, {scope_experiment(), 3},    {location_experiment(), 10},
+          {batch_experiment(), 10},     {order_k_experiment(), 25}, {spheres_experiment(), 20}};
 }
 
 TEST(Reports, every_row_has_a_value_for_every_column) {
