@@ -34,6 +34,7 @@ FurthestDelaunay furthest_delaunay(PointsView points, const BuildOptions& option
   const AnyTriangulation t = triangulated_by_furthest(points, options);
   FurthestDelaunay result{.affine_dimension = t.affine_dimension(),
                           .cells = cells(t),
+                          .polytopes = merged_cells(t),
                           .status = {},
                           .hull_facets = t.hull_facet_count(),
                           .memory_bytes = t.memory_bytes(),

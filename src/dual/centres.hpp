@@ -55,7 +55,7 @@ class Centres {
   }
 
  private:
-  static constexpr std::size_t kCached = 1 << 14;
+  static constexpr std::size_t kCached = 1 << 13;
   struct Entry {
     CellId cell = kNoCell;
     Centre centre;
@@ -63,7 +63,7 @@ class Centres {
 
   /// By Cramer's rule from the differences d_i to the first corner: (c - p_0) = N / (2 det(d)). Every term of det and N
   /// passes at most 14 roundings (3 differences, a square and 3 sums of the lift, 2 products and 2 sums of the
-  /// determinant, the quotient; 2 for the bound itself); where that
+  /// determinant, two of the quotient; 1 for the bound itself); where that
   /// leaves too much open, the offset is computed anew, correctly rounded.
   Centre computed(CellId c) const {
     std::array<VertexId, kAxes + 1> v;
@@ -84,73 +84,73 @@ class Centres {
         reach = std::max(reach, std::abs(d[i][j]));
       }
     }
-    std::array<double, kAxes> offset, error;
-    solve(d, lift, size, offset, error);
-    for (std::size_t j = 0; j < kAxes; ++j) reach = std::max(reach, std::abs(offset[j]));
-    const double tolerance = std::min(0x1p-43 * reach, 0x1p-47 * frame_.radius / frame_.scale);
-    bool good = reach < 0x1p300 && reach > 0x1p-200;  // no product overflows, and what underflows is far below
-    for (std::size_t j = 0; j < kAxes; ++j) good = good && error[j] < tolerance;
+    Solution solution = solve(d, lift, size);
+    for (const double x : solution.offset) reach = std::max(reach, std::abs(x));
+    // Nothing may overflow, and what underflows must be far below.
+    const double tolerance = std::min(0x1p-43 * reach, 0x1p-47 * frame_.radius * frame_.unit);
+    const bool good =
+        reach < 0x1p300 && reach > 0x1p-200 && solution.doubled > solution.doubt &&
+        kRoundings * solution.terms + reach * solution.doubt < tolerance * (solution.doubled - solution.doubt);
     if (!good) {
       const Vector exact = power_centre_offset(sites_, v);
       for (std::size_t j = 0; j < kAxes; ++j) {
-        offset[j] = exact[j];
-        reach = std::max(reach, std::abs(offset[j]));
+        solution.offset[j] = exact[j];
+        reach = std::max(reach, std::abs(exact[j]));
       }
     }
     Centre centre{{}, static_cast<float>(frame_.scaled(reach)), true, true};
     for (std::size_t j = 0; j < kAxes; ++j) {
-      centre.at[j] = frame_.scaled((origin[j] - frame_.middle[j]) + offset[j]);
+      centre.at[j] = frame_.scaled((origin[j] - frame_.middle[j]) + solution.offset[j]);
       centre.near &= std::abs(centre.at[j]) <= 64 * frame_.radius;
     }
     for (const Plane& side : frame_.sides) centre.within &= dot(side.normal, centre.at) <= side.offset;
     return centre;
   }
 
-  using Rows = std::array<std::array<double, kAxes>, kAxes>;
   using Column = std::array<double, kAxes>;
+  using Rows = std::array<Column, kAxes>;
   static constexpr double kRoundings = 14 * 0x1p-53;
 
-  static void solve(const Rows& d, const Column& lift, const Column& size, Column& offset, Column& error) {
+  /// An offset is off by less than (kRoundings * terms + |offset| * doubt) / (doubled - doubt).
+  struct Solution {
+    Column offset;
+    double terms;           ///< the largest sum of sizes of the terms of a numerator
+    double doubled, doubt;  ///< the size of the denominator, and its error
+  };
+
+  static Solution solve(const Rows& d, const Column& lift, const Column& size) {
     if constexpr (K == 2) {
       const double a = d[0][0] * d[1][1], b = d[0][1] * d[1][0];
       const double doubled = 2 * (a - b);
-      const double doubt = 2 * kRoundings * (std::abs(a) + std::abs(b));
-      const double least = std::abs(doubled) - doubt;
-      offset = {(lift[0] * d[1][1] - lift[1] * d[0][1]) / doubled, (lift[1] * d[0][0] - lift[0] * d[1][0]) / doubled};
-      const auto bound = [&](std::size_t j, double x) {
-        const double terms = size[0] * std::abs(d[1][j]) + size[1] * std::abs(d[0][j]);
-        return least > 0 ? (kRoundings * terms + std::abs(x) * doubt) / least : std::numeric_limits<double>::infinity();
-      };
-      error = {bound(1, offset[0]), bound(0, offset[1])};
+      const double inverse = 1 / doubled;
+      const double largest = std::max(std::abs(d[1][1]), std::abs(d[1][0])) * size[0] +
+                             std::max(std::abs(d[0][1]), std::abs(d[0][0])) * size[1];
+      return {{(lift[0] * d[1][1] - lift[1] * d[0][1]) * inverse, (lift[1] * d[0][0] - lift[0] * d[1][0]) * inverse},
+              largest,
+              std::abs(doubled),
+              2 * kRoundings * (std::abs(a) + std::abs(b))};
     } else {
-      // The rows of the cofactors: minors of two rows of d.
-      Rows minor, sum;
-      for (std::size_t i = 0; i < 3; ++i) {
+      Solution solution{{}, 0, 0, 0};
+      Column terms{};
+      double doubled = 0;
+      for (std::size_t i = 0; i < 3; ++i) {  // the minors of the other two rows
         const Column& a = d[(i + 1) % 3];
         const Column& b = d[(i + 2) % 3];
         for (std::size_t j = 0; j < 3; ++j) {
-          const std::size_t k = (j + 1) % 3, l = (j + 2) % 3;
-          const double left = a[k] * b[l], right = a[l] * b[k];
-          minor[i][j] = left - right;
-          sum[i][j] = std::abs(left) + std::abs(right);
+          const double left = a[(j + 1) % 3] * b[(j + 2) % 3];
+          const double right = a[(j + 2) % 3] * b[(j + 1) % 3];
+          const double sum = std::abs(left) + std::abs(right);
+          solution.offset[j] += lift[i] * (left - right);
+          terms[j] += size[i] * sum;
+          if (i > 0) continue;
+          doubled += 2 * d[0][j] * (left - right);
+          solution.doubt += 2 * kRoundings * std::abs(d[0][j]) * sum;
         }
       }
-      double doubled = 0, doubt = 0;
-      for (std::size_t j = 0; j < 3; ++j) {
-        doubled += 2 * d[0][j] * minor[0][j];
-        doubt += 2 * kRoundings * std::abs(d[0][j]) * sum[0][j];
-      }
-      const double least = std::abs(doubled) - doubt;
-      for (std::size_t j = 0; j < 3; ++j) {
-        double top = 0, terms = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-          top += lift[i] * minor[i][j];
-          terms += size[i] * sum[i][j];
-        }
-        offset[j] = top / doubled;
-        error[j] = least > 0 ? (kRoundings * terms + std::abs(offset[j]) * doubt) / least
-                             : std::numeric_limits<double>::infinity();
-      }
+      for (double& x : solution.offset) x *= 1 / doubled;
+      solution.terms = std::max({terms[0], terms[1], terms[2]});
+      solution.doubled = std::abs(doubled);
+      return solution;
     }
   }
 

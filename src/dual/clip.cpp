@@ -107,6 +107,25 @@ void Block::place_measures(const Frame& frame) {
     enlarge(*numbers, frame.dimension - 1);
 }
 
+/// The sites by the cells that they name as theirs: in space cells that are made one after the other are near each
+/// other, while sites follow the curve several times. Sites without a cell come last. In the plane sites follow it
+/// once.
+std::vector<VertexId> sites_along_cells(const AnyTriangulation& t) {
+  std::vector<std::pair<Index, Index>> keyed;  // cell, site
+  keyed.reserve(t.sites().present_count());
+  for (std::size_t s = 0; s < t.sites().size(); ++s) {
+    const VertexId v{static_cast<Index>(s)};
+    if (t.sites().is_empty(v)) continue;
+    const CellId c = t.complex().incident_cell(v);
+    keyed.emplace_back(c == kNoCell ? kNone : t.affine_dimension() == 3 ? raw(c) : Index{0}, static_cast<Index>(s));
+  }
+  if (!std::ranges::is_sorted(keyed)) std::ranges::sort(keyed);
+  std::vector<VertexId> sites;
+  sites.reserve(keyed.size());
+  for (const auto& [cell, site] : keyed) sites.push_back(VertexId{site});
+  return sites;
+}
+
 enum class Want { shapes, measures, both };
 
 /// Blocks of cells in the order of sites: sink(number, block), from any thread.
@@ -118,12 +137,13 @@ void produce(const AnyTriangulation& t, const Region& region, Want want, const C
     Block block;
   };
   const Frame frame(region);
+  const std::vector<VertexId> sites = sites_along_cells(t);
   Pool<Worker> workers;
   const auto work = [&](std::size_t begin, std::size_t end, std::size_t number) {
     const ExactEnvironment environment;
     auto worker = workers.take([&] { return std::make_unique<Worker>(t, frame); });
     worker->block.clear();
-    worker->clipper.read(begin, end, worker->block);
+    worker->clipper.read(std::span(sites).subspan(begin, end - begin), worker->block);
     if (want != Want::shapes) {
       worker->block.measure(t, frame);
       worker->block.place_measures(frame);
@@ -132,7 +152,7 @@ void produce(const AnyTriangulation& t, const Region& region, Want want, const C
     sink(number, worker->block);
     workers.give(std::move(worker));
   };
-  for_chunks(t.sites().size(), options.threads, work, options.progress);
+  for_chunks(sites.size(), options.threads, work, options.progress);
 }
 
 template <class Sink>
@@ -146,7 +166,7 @@ void produce(const AnyTriangulation& t, const Region& region, Want want, const C
   }
 }
 
-std::size_t block_count(const AnyTriangulation& t) { return (t.sites().size() + kChunk - 1) / kChunk; }
+std::size_t block_count(const AnyTriangulation& t) { return (t.sites().present_count() + kChunk - 1) / kChunk; }
 
 template <class T>
 void append(std::vector<T>& to, const std::vector<T>& from, std::size_t begin, std::size_t end) {

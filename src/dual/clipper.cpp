@@ -96,6 +96,15 @@ void CellWriter::add_face(const Polygon3& face, Index across) {
   shapes_->across.push_back(across);
 }
 
+void CellWriter::add_face(std::span<const RingCell> ring, Index across) {
+  std::vector<double>& corners = shapes_->corners;
+  const std::size_t at = corners.size();
+  corners.resize(at + 3 * ring.size());
+  for (std::size_t i = 0; i < ring.size(); ++i) std::ranges::copy(ring[i].centre.at, &corners[at + 3 * i]);
+  shapes_->loops.push_back(corners.size() / 3);
+  shapes_->across.push_back(across);
+}
+
 void CellWriter::add_cut_face(const Polygon3& face, Index across, std::span<const Plane> cuts) {
   cutter_.begin(face);
   for (const Plane& cut : cuts) cutter_.cut(cut);
@@ -206,15 +215,13 @@ void Clipper<D>::read_facet(std::span<const RingCell> ring, const Point3& axis) 
 }
 
 template <int D>
-void Clipper<D>::read(std::size_t begin, std::size_t end, ClippedBlock& block) {
+void Clipper<D>::read(std::span<const VertexId> sites, ClippedBlock& block) {
   block_ = &block;
   writer_.begin(block.shapes);
   if constexpr (D == 2) {
-    planar_block(begin, end);
+    planar_block(sites);
   } else {
-    for (std::size_t s = begin; s < end; ++s) {
-      const VertexId v{static_cast<Index>(s)};
-      if (t_.sites().is_empty(v)) continue;
+    for (const VertexId v : sites) {
       if (is_vertex(v)) write_spatial(v);
       end_cell(v);
     }
@@ -222,12 +229,10 @@ void Clipper<D>::read(std::size_t begin, std::size_t end, ClippedBlock& block) {
 }
 
 template <int D>
-void Clipper<D>::planar_block(std::size_t begin, std::size_t end) {
+void Clipper<D>::planar_block(std::span<const VertexId> sites) {
   cells_.clear();
   corners_.clear();
-  for (std::size_t s = begin; s < end; ++s) {
-    if (const VertexId v{static_cast<Index>(s)}; !t_.sites().is_empty(v)) cells_.push_back(read_planar(v));
-  }
+  for (const VertexId v : sites) cells_.push_back(read_planar(v));
   if (frame_.sides.empty() || !full_) return divide(cells_, frame_.loops);
   for (const PlanarCell& cell : cells_) {
     if (cell.exists) write_planar(cell);
@@ -363,9 +368,8 @@ void Clipper<D>::write_spatial(VertexId v) {
   if (full_ && std::ranges::all_of(star_.ring, is_within)) {
     std::size_t next = 0;
     for (const Facet& facet : star_.facets) {
-      polygon_.clear();
-      for (; next < facet.end; ++next) polygon_.push_back(star_.ring[next].centre.at);
-      writer_.add_face(polygon_, t_.sites().row(facet.neighbour));
+      writer_.add_face(std::span(star_.ring).subspan(next, facet.end - next), t_.sites().row(facet.neighbour));
+      next = facet.end;
     }
     return;
   }
@@ -387,10 +391,13 @@ void Clipper<D>::write_placed(VertexId v) {
     const auto ring = std::span(star_.ring).subspan(begin, star_.facets[i].end - begin);
     begin = star_.facets[i].end;
     read_facet(ring, planes_[i].normal);
+    sides_.clear();
     for (std::size_t side = 0; side < frame_.sides.size(); ++side) {
-      if (reaches_over(polygon_, frame_.sides[side])) crossed_[side] = true;
+      if (!reaches_over(polygon_, frame_.sides[side])) continue;
+      crossed_[side] = true;
+      sides_.push_back(frame_.sides[side]);
     }
-    writer_.add_cut_face(polygon_, planes_[i].across, frame_.sides);
+    writer_.add_cut_face(polygon_, planes_[i].across, sides_);
   }
   // The bisectors as the frame sees them.
   writer_.look_from(place(v));

@@ -52,6 +52,7 @@ class CellWriter {
   void add(const Loops& loops);
   /// In space: a face that lies in the region.
   void add_face(const Polygon3& face, Index across);
+  void add_face(std::span<const RingCell> ring, Index across);
   /// What planes leave of it.
   void add_cut_face(const Polygon3& face, Index across, std::span<const Plane> cuts);
 
@@ -86,8 +87,8 @@ class Clipper {
         stars_(t, centres_),
         writer_(frame) {}
 
-  /// The cells of the sites begin to end, slots of removed ones left out.
-  void read(std::size_t begin, std::size_t end, ClippedBlock& block);
+  /// The cells of some sites, fast where sites that follow each other are near each other.
+  void read(std::span<const VertexId> sites, ClippedBlock& block);
 
  private:
   static constexpr auto kAxes = static_cast<std::size_t>(D);
@@ -111,7 +112,7 @@ class Clipper {
   void add_far_corners(const Point3& before, CellId first, CellId last, const Point3& after, const Point3& axis);
   void read_facet(std::span<const RingCell> ring, const Point3& axis);
 
-  void planar_block(std::size_t begin, std::size_t end);
+  void planar_block(std::span<const VertexId> sites);
   bool read_far_corners(std::size_t i);
   PlanarCell read_planar(VertexId v);
   void write_planar(const PlanarCell& cell);
@@ -133,7 +134,7 @@ class Clipper {
   LoopCutter cutter_;
   std::vector<PlanarCell> cells_;
   std::vector<Corner> corners_;
-  std::vector<Plane> planes_;
+  std::vector<Plane> planes_, sides_;
   Polygon3 polygon_;
   std::vector<bool> crossed_;  ///< sides of the region that the cell reaches over
 };

@@ -19,18 +19,19 @@ struct Moments {
   double volume = 0, second = 0;
   Point3 first{};
 
-  /// @param simplex  its volume, signed  @param corners  the others
-  template <std::size_t D>
-  void add(double simplex, const std::array<Point3, D>& corners) {
-    Point3 sum{};
-    double squares = 0;
-    for (const Point3& v : corners) {
-      sum = sum + v;
-      squares += dot(v, v);
-    }
+  /// @param simplex  its volume times D!, signed  @param sum  of its other corners  @param squares  of their lengths
+  void add(double simplex, const Point3& sum, double squares) {
     volume += simplex;
-    first = first + simplex / (D + 1) * sum;
-    second += simplex / ((D + 1) * (D + 2)) * (squares + dot(sum, sum));
+    first = first + simplex * sum;
+    second += simplex * (squares + dot(sum, sum));
+  }
+  /// When all simplices are added.
+  template <int D>
+  void scale() {
+    constexpr double kParts = D == 2 ? 2 : 6;
+    volume /= kParts;
+    first = 1 / (kParts * (D + 1)) * first;
+    second /= kParts * (D + 1) * (D + 2);
   }
 };
 
@@ -54,6 +55,7 @@ class Measurer {
         }
       }
     }
+    moments.scale<D>();
     measures_.volume.push_back(moments.volume);
     measures_.surface.push_back(surface_);
     measures_.boundary.push_back(boundary_);
@@ -88,27 +90,34 @@ class Measurer {
     const std::size_t end = shapes_.loops[l + 1];
     Index across = shapes_.across[end - 1];
     Point3 a = corner(end - 1);
+    double a_squared = dot(a, a);
     for (std::size_t i = begin; i < end; ++i) {
       const Point3 b = corner(i);
       const Point3 edge = b - a;
       share(across, length(edge));
-      moments.add((a[0] * edge[1] - a[1] * edge[0]) / 2, std::array{a, b});
+      const double squared = dot(b, b);
+      moments.add(a[0] * edge[1] - a[1] * edge[0], a + b, a_squared + squared);
       across = shapes_.across[i];
       a = b;
+      a_squared = squared;
     }
   }
 
   void add_face(std::size_t l, Moments& moments) {
     const std::size_t begin = shapes_.loops[l];
     const Point3 a = corner(begin);
+    const double a_squared = dot(a, a);
     Point3 area{};
     Point3 b = corner(begin + 1);
+    double b_squared = dot(b, b);
     for (std::size_t i = begin + 2; i < shapes_.loops[l + 1]; ++i) {
       const Point3 c = corner(i);
+      const double c_squared = dot(c, c);
       const Point3 triangle = cross(b - a, c - b);
       area = area + triangle;
-      moments.add(dot(a, triangle) / 6, std::array{a, b, c});
+      moments.add(dot(a, triangle), a + b + c, a_squared + b_squared + c_squared);
       b = c;
+      b_squared = c_squared;
     }
     share(shapes_.across[l], length(area) / 2);
   }

@@ -2,8 +2,10 @@
 // that facet runs.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -11,9 +13,51 @@
 
 #include "delone/mesh/triangulation.hpp"
 #include "dual/centres.hpp"
-#include "query/id_set.hpp"
 
 namespace delone::dual_detail {
+
+/// Numbers for a few ids, forgotten in no time.
+class IdNumbers {
+ public:
+  void clear() {
+    size_ = 0;
+    if (++round_ == 0 || slots_.empty()) {
+      slots_.assign(std::max<std::size_t>(slots_.size(), 256), {});
+      round_ = 1;
+    }
+  }
+  /// The number of `id`, which is `number` when it is new.
+  std::pair<std::uint32_t, bool> insert(Index id, std::uint32_t number) {
+    if (4 * (size_ + 1) > slots_.size()) grow();
+    Slot& slot = place(id);
+    if (slot.round == round_) return {slot.number, false};
+    slot = {id, number, round_};
+    ++size_;
+    return {number, true};
+  }
+
+ private:
+  struct Slot {
+    Index id = 0;
+    std::uint32_t number = 0, round = 0;
+  };
+  Slot& place(Index id) {
+    std::size_t at = (static_cast<std::uint64_t>(id) * 0x9E3779B97F4A7C15U >> 32) & (slots_.size() - 1);
+    while (slots_[at].round == round_ && slots_[at].id != id) at = (at + 1) & (slots_.size() - 1);
+    return slots_[at];
+  }
+  void grow() {
+    std::vector<Slot> old(2 * slots_.size());
+    old.swap(slots_);
+    for (const Slot& slot : old) {
+      if (slot.round == round_) place(slot.id) = slot;
+    }
+  }
+
+  std::vector<Slot> slots_;
+  std::size_t size_ = 0;
+  std::uint32_t round_ = 0;
+};
 
 /// A facet of a cell: the sites on both sides have it in common, and it has an extent.
 struct Facet {
@@ -107,47 +151,59 @@ class StarReader {
     } while (c.cell != first);
   }
 
+  /// Reads the link of v, a triangulated sphere, and goes around each of its vertices.
   void read_in_space(VertexId v, Star& star) {
     cells_.clear();
-    neighbours_.clear();
-    edges_.clear();
-    stack_.assign(1, complex_.incident_cell(v));
-    cells_.insert(raw(stack_[0]));
-    for (std::size_t next = 0; next < stack_.size(); ++next) {
-      const CellId c = stack_[next];
+    link_.clear();
+    number_of(complex_.incident_cell(v));
+    for (std::size_t t = 0; t < link_.size(); ++t) {
+      const CellId c = link_[t].at.cell;
       const int i = complex_.slot_of(c, v);
-      for (int by = 1; by <= K; ++by) {
-        const int j = View::turned(i, by);
-        const CellId across = complex_.cell(complex_.twin(c, j));
-        if (cells_.insert(raw(across))) stack_.push_back(across);
-        const VertexId u = complex_.vertex(c, j);
-        if (u != kGhost && neighbours_.insert(raw(u))) edges_.push_back({u, c});
+      // (v, corner 0, 1, 2) is positive: turning a cell's four slots round is an odd permutation.
+      const std::array slots{View::turned(i, 1), View::turned(i, i % 2 == 0 ? 2 : 3),
+                             View::turned(i, i % 2 == 0 ? 3 : 2)};
+      for (std::size_t s = 0; s < 3; ++s) {
+        const CellId across = complex_.cell(complex_.twin(c, slots[s]));
+        const std::uint32_t next = number_of(across);
+        link_[t].corner[s] = complex_.vertex(c, slots[s]);
+        link_[t].next[s] = next;
       }
     }
-    for (const auto& [u, c] : edges_) turn_about(v, u, c, star);
+    for (LinkTriangle& t : link_) {
+      for (std::size_t s = 0; s < 3; ++s) {
+        if (!t.done[s] && t.corner[s] != kGhost) turn_about(t, s, star);
+      }
+    }
   }
 
-  /// The facet between v and u. Of a positive cell (v, u, a, b), a turns towards b about the axis from v to u, seen
-  /// from its end. It has an extent when at least three vertices or rays of the diagram follow each other around it.
-  void turn_about(VertexId v, VertexId u, CellId first, Star& star) {
+  /// A cell at v as a triangle of its link, counter-clockwise from outside.
+  struct LinkTriangle {
+    RingCell at;
+    std::array<VertexId, 3> corner;
+    std::array<std::uint32_t, 3> next;  ///< the triangle opposite each corner
+    std::array<bool, 3> done;           ///< the facet with that corner was read
+  };
+
+  std::uint32_t number_of(CellId c) {
+    const auto [number, is_new] = cells_.insert(raw(c), static_cast<std::uint32_t>(link_.size()));
+    if (is_new) link_.push_back({ring_cell(c), {}, {}, {}});
+    return number;
+  }
+
+  /// The facet between v and a corner u of its link. It has an extent when at least three vertices or rays of the
+  /// diagram follow each other around it.
+  void turn_about(LinkTriangle& first, std::size_t slot, Star& star) {
     const std::size_t begin = star.ring.size();
-    const int i = complex_.slot_of(first, v);
-    const int j = complex_.slot_of(first, u);
-    int a = View::turned(i, 1);
-    while (a == j) a = View::turned(a, 1);
-    const int rest = 6 - i - j - a;
-    // (i, j, a, rest) is an even permutation of (0, 1, 2, 3) or not
-    const bool even = ((i > j) + (i > a) + (i > rest) + (j > a) + (j > rest) + (a > rest)) % 2 == 0;
-    VertexId behind = complex_.vertex(first, even ? a : rest);
-    VertexId ahead = complex_.vertex(first, even ? rest : a);
-    RingCell c = ring_cell(first);
+    const VertexId u = first.corner[slot];
+    LinkTriangle* t = &first;
     do {
-      const FacetId across = complex_.twin(c.cell, complex_.slot_of(c.cell, behind));
-      const RingCell next = ring_cell(complex_.cell(across));
-      if (!coincide(c, next, complex_.vertex(across))) star.ring.push_back(c);
-      behind = std::exchange(ahead, complex_.vertex(across));
-      c = next;
-    } while (c.cell != first);
+      t->done[slot] = true;
+      LinkTriangle& next = link_[t->next[slot == 2 ? 0 : slot + 1]];
+      slot = next.corner[0] == u ? 0 : next.corner[1] == u ? 1 : 2;
+      const VertexId apex = next.corner[slot == 0 ? 2 : slot - 1];
+      if (!coincide(t->at, next.at, apex)) star.ring.push_back(t->at);
+      t = &next;
+    } while (t != &first);
     if (star.ring.size() - begin >= 3) {
       star.facets.push_back({u, star.ring.size()});
     } else {
@@ -159,13 +215,8 @@ class StarReader {
   View complex_;
   Kernel<K> kernel_;
   Centres<K>* centres_;
-  query_detail::IdSet cells_, neighbours_;
-  std::vector<CellId> stack_;
-  struct Edge {
-    VertexId to;
-    CellId cell;
-  };
-  std::vector<Edge> edges_;
+  IdNumbers cells_;
+  std::vector<LinkTriangle> link_;
 };
 
 /// The same for a triangulation of any affine dimension up to 3.

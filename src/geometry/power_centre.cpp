@@ -12,6 +12,7 @@
 #include "delone/base/dispatch.hpp"
 #include "delone/exact/determinant.hpp"
 #include "delone/exact/double_double.hpp"
+#include "exact/gram.hpp"
 #include "exact/integer.hpp"
 #include "exact/quotient.hpp"
 
@@ -19,14 +20,10 @@ namespace delone {
 namespace {
 
 using exact::BigInt;
+using exact::dot;
+using exact::Integers;
 using exact::Scaled;
-using Integers = std::vector<BigInt>;
-
-BigInt dot(const Integers& a, const Integers& b) {
-  BigInt sum = 0;
-  for (std::size_t j = 0; j < a.size(); ++j) sum += a[j] * b[j];
-  return sum;
-}
+using exact::solve_gram;
 
 /// Sites as integers times 2^unit, their weights as integers times 2^(2 unit).
 struct ExactSites {
@@ -64,29 +61,6 @@ struct ExactSites {
   Integers weights;
 };
 
-/// Solves G m = b for independent edges: m = result / determinant. Elimination without fractions [Bar68]: the pivots
-/// are leading minors of G, which are positive.
-std::pair<Integers, BigInt> solve(const std::vector<Integers>& edges, const Integers& b) {
-  const std::size_t n = edges.size();
-  std::vector<Integers> m(n, Integers(n + 1));
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) m[i][j] = dot(edges[i], edges[j]);
-    m[i][n] = b[i];
-  }
-  BigInt last = 1;
-  for (std::size_t k = 0; k < n; ++k) {
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i == k) continue;
-      const BigInt factor = m[i][k];
-      for (std::size_t j = 0; j <= n; ++j) m[i][j] = BigInt((m[k][k] * m[i][j] - factor * m[k][j]) / last);
-    }
-    last = m[k][k];
-  }
-  Integers result;
-  for (std::size_t i = 0; i < n; ++i) result.push_back(m[i][n]);
-  return {std::move(result), last};
-}
-
 /// The centre, or its offset from the first site, as numerators over one denominator, times 2^unit.
 struct ExactCentre {
   Integers numerators;
@@ -99,7 +73,7 @@ ExactCentre exact_centre(const Sites& sites, std::span<const VertexId> cell, boo
   const std::vector<Integers> edges = p.edges();
   Integers b;
   for (std::size_t i = 0; i < edges.size(); ++i) b.push_back(dot(edges[i], edges[i]) - p.weights[i + 1] + p.weights[0]);
-  const auto [m, determinant] = solve(edges, b);
+  const auto [m, determinant] = solve_gram(edges, b);
   ExactCentre centre{{}, 2 * determinant, p.unit};
   for (std::size_t j = 0; j < p.at[0].size(); ++j) {
     BigInt sum = offset ? BigInt(0) : BigInt(centre.denominator * p.at[0][j]);
@@ -120,7 +94,7 @@ Vector rounded(const ExactCentre& centre) {
 Vector orthogonal_part(const Integers& v, const std::vector<Integers>& edges) {
   Integers b;
   for (const Integers& edge : edges) b.push_back(dot(edge, v));
-  const auto [m, determinant] = solve(edges, b);
+  const auto [m, determinant] = solve_gram(edges, b);
   Integers part;
   BigInt largest = 0;
   for (std::size_t j = 0; j < v.size(); ++j) {

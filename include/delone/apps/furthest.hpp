@@ -17,6 +17,8 @@ struct FurthestDelaunay {
   int affine_dimension = -1;
   /// In the order of cells(t). They divide the convex hull; cospherical ties are broken by the engine's rule.
   CellTable cells;
+  /// Cells with a common ball merged, which do not depend on how ties are broken.
+  PolytopeTable polytopes;
   /// Per row. Only corners of the convex hull are vertices: all other places have a point that is further. The rest are
   /// hidden, or duplicates of a vertex.
   std::vector<RowStatus> status;
