@@ -18,8 +18,7 @@ namespace delone::dual_detail {
 /// The power centre of a cell of a triangulation whose points span the space.
 struct Centre {
   Point3 at;
-  float reach;  ///< of the cell's corners and the centre from its first corner: the error of the centre is less than
-                ///< 2^-42 of it, and than 2^-46 of the region's size while the reach is no larger
+  float error;  ///< bounds how far two computations of one centre lie apart
   bool near;    ///< the region, so that lines between two such centres keep their digits in it
   bool within;  ///< a convex region
 };
@@ -44,10 +43,13 @@ class Centres {
     return entry.centre;
   }
 
+  /// Asks memory for where the centre of a cell may be remembered.
+  void prefetch(CellId c) const { __builtin_prefetch(&cache_[raw(c) % kCached]); }
+
   /// Have two neighbouring finite cells the same centre, exactly?
   /// @param a, b  their centres  @param c  one of the cells  @param apex  the vertex of the other that c lacks
   bool coincide(const Centre& a, const Centre& b, CellId c, VertexId apex) const {
-    const double error = 0x1p-41 * (double{a.reach} + double{b.reach}) + 0x1p-50 * extent_;
+    const float error = a.error + b.error;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (std::abs(a.at[axis] - b.at[axis]) > error) return false;
     }
@@ -63,8 +65,9 @@ class Centres {
 
   /// By Cramer's rule from the differences d_i to the first corner: (c - p_0) = N / (2 det(d)). Every term of det and N
   /// passes at most 14 roundings (3 differences, a square and 3 sums of the lift, 2 products and 2 sums of the
-  /// determinant, two of the quotient; 1 for the bound itself); where that
-  /// leaves too much open, the offset is computed anew, correctly rounded.
+  /// determinant, two of the quotient; 1 for the bound itself). Where that leaves open more than 2^-43 of the reach,
+  /// which is the size of the cell and its offset, or 2^-47 of the region, the offset is computed anew, correctly
+  /// rounded.
   Centre computed(CellId c) const {
     std::array<VertexId, kAxes + 1> v;
     for (std::size_t i = 0; i <= kAxes; ++i) v[i] = complex_.vertex(c, static_cast<int>(i));
@@ -98,7 +101,8 @@ class Centres {
         reach = std::max(reach, std::abs(exact[j]));
       }
     }
-    Centre centre{{}, static_cast<float>(frame_.scaled(reach)), true, true};
+    const double error = 0x1p-41 * frame_.scaled(reach) + 0x1p-50 * extent_;
+    Centre centre{{}, static_cast<float>(error), true, true};
     for (std::size_t j = 0; j < kAxes; ++j) {
       centre.at[j] = frame_.scaled((origin[j] - frame_.middle[j]) + solution.offset[j]);
       centre.near &= std::abs(centre.at[j]) <= 64 * frame_.radius;

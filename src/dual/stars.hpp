@@ -158,6 +158,7 @@ class StarReader {
     number_of(complex_.incident_cell(v));
     for (std::size_t t = 0; t < link_.size(); ++t) {
       const CellId c = link_[t].at.cell;
+      link_[t].at = ring_cell(c);
       const int i = complex_.slot_of(c, v);
       // (v, corner 0, 1, 2) is positive: turning a cell's four slots round is an odd permutation.
       const std::array slots{View::turned(i, 1), View::turned(i, i % 2 == 0 ? 2 : 3),
@@ -186,7 +187,11 @@ class StarReader {
 
   std::uint32_t number_of(CellId c) {
     const auto [number, is_new] = cells_.insert(raw(c), static_cast<std::uint32_t>(link_.size()));
-    if (is_new) link_.push_back({ring_cell(c), {}, {}, {}});
+    if (is_new) {
+      complex_.prefetch(c);
+      if (centres_ != nullptr) centres_->prefetch(c);
+      link_.push_back({{{}, c, false}, {}, {}, {}});
+    }
     return number;
   }
 
