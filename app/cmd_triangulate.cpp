@@ -43,17 +43,7 @@ void require_elevation(const io::PointTable& points, const std::string& name) {
         fmt::format("--elevation {} lifts points of dimension 2, but these have dimension {}; choose their "
                     "coordinates with --columns",
                     name, points.dimension));
-  std::vector<std::string> numeric;
-  for (const io::Attribute& attribute : points.attributes) {
-    if (attribute.numbers.empty() && !attribute.texts.empty()) {
-      if (attribute.name == name) throw UsageError("--elevation " + name + ": this column holds text, not numbers");
-      continue;
-    }
-    if (attribute.name == name) return;
-    numeric.push_back(attribute.name);
-  }
-  throw UsageError(fmt::format("--elevation {}: no such column is left beside the coordinates; there {}", name,
-                               numeric.empty() ? "is none" : "are " + joined(numeric)));
+  static_cast<void>(number_column(points, "--elevation", name));
 }
 
 /// What can be refused before a file is read. @param dimension  0 when it is not known yet

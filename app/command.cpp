@@ -62,6 +62,18 @@ void add_point_input(CLI::App& command, PointInput& input, const std::string& na
       ->option_text("FORMAT");
 }
 
+const io::Attribute& number_column(const io::PointTable& points, const std::string& option, const std::string& name) {
+  std::vector<std::string> numeric;
+  for (const io::Attribute& attribute : points.attributes) {
+    const bool text = attribute.numbers.empty() && !attribute.texts.empty();
+    if (text && attribute.name == name) throw UsageError(option + " " + name + ": this column holds text, not numbers");
+    if (attribute.name == name) return attribute;
+    if (!text) numeric.push_back(attribute.name);
+  }
+  throw UsageError(option + " " + name + ": no such column is left beside the coordinates; there " +
+                   (numeric.empty() ? "is none" : "are " + joined(numeric)));
+}
+
 void add_threads(CLI::App& command, int& threads) {
   command.add_option("--threads", threads, "Threads to use; all of the machine if not given")
       ->check(CLI::Range(1, 1024))

@@ -28,6 +28,7 @@ using Command = std::function<int()>;
 
 void add_triangulate(CLI::App& app, Command& chosen);
 void add_hull(CLI::App& app, Command& chosen);
+void add_voronoi(CLI::App& app, Command& chosen);
 void add_info(CLI::App& app, Command& chosen);
 void add_check(CLI::App& app, Command& chosen);
 void add_nearest(CLI::App& app, Command& chosen);
@@ -51,6 +52,10 @@ struct PointInput {
 
 /// Adds the options of `input` to `command`; `name` is what help calls the file.
 void add_point_input(CLI::App& command, PointInput& input, const std::string& name);
+
+/// The attribute of this name, which must be one of numbers.
+/// @throws UsageError naming the option and the columns that there are
+const io::Attribute& number_column(const io::PointTable& points, const std::string& option, const std::string& name);
 
 /// Adds --threads; 0 stands for all the machine has.
 void add_threads(CLI::App& command, int& threads);

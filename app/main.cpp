@@ -51,6 +51,7 @@ int parse_and_run(int argc, char** argv) {
   cli::Command command;
   cli::add_triangulate(app, command);
   cli::add_hull(app, command);
+  cli::add_voronoi(app, command);
   cli::add_info(app, command);
   cli::add_check(app, command);
   cli::add_nearest(app, command);

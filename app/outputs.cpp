@@ -102,25 +102,34 @@ void require_writable(const std::string& path) {
     throw UsageError(path + ": cannot write into folder " + folder.string() + ": " + std::strerror(errno));
 }
 
-std::vector<Output> plan_outputs(const std::vector<std::string>& paths, const std::string& format,
-                                 const std::string& input) {
-  std::vector<Output> outputs;
+void require_apart(const std::vector<Target>& targets, const std::vector<std::string>& inputs) {
   std::map<std::string, std::string> taken;  // identity of a file: the -o that makes it
-  for (const std::string& path : paths) {
-    const Output output{path, format_of(path, format)};
-    if (path == "-" && makes_several_files(output.format))
-      throw UsageError("-o - --format " + format + ": this format is written in several files, not to standard output");
-    for (const std::string& file : files_of(output)) {
+  for (const auto& [path, files] : targets) {
+    for (const std::string& file : files) {
       require_writable(file);
       const auto [earlier, is_new] = taken.emplace(identity(file), path);
       if (!is_new)
         throw UsageError("-o " + earlier->second + " and -o " + path + " would both write " +
                          (file == "-" ? "standard output" : file));
-      if (file != "-" && input != "-" && identity(file) == identity(input))
-        throw UsageError("-o " + path + " would replace the input " + input);
+      for (const std::string& input : inputs) {
+        if (file != "-" && input != "-" && identity(file) == identity(input))
+          throw UsageError("-o " + path + " would replace the input " + input);
+      }
     }
-    outputs.push_back(output);
   }
+}
+
+std::vector<Output> plan_outputs(const std::vector<std::string>& paths, const std::string& format,
+                                 const std::string& input) {
+  std::vector<Output> outputs;
+  std::vector<Target> targets;
+  for (const std::string& path : paths) {
+    const Output& output = outputs.emplace_back(Output{path, format_of(path, format)});
+    if (path == "-" && makes_several_files(output.format))
+      throw UsageError("-o - --format " + format + ": this format is written in several files, not to standard output");
+    targets.push_back({path, files_of(output)});
+  }
+  require_apart(targets, {input});
   // Standard output last: whoever reads it sees the files complete when it ends.
   std::ranges::stable_partition(outputs, [](const Output& output) { return output.path != "-"; });
   return outputs;
@@ -156,17 +165,20 @@ bool want_neighbours(const std::vector<Output>& outputs) {
   });
 }
 
+Written write_one(const std::string& path, const std::function<std::vector<std::string>()>& write) {
+  const DeferInterrupt defer;
+  const Stopwatch writing;
+  Written written{path, {}, 0};
+  unless_nobody_reads(path, [&] { written.files = write(); });
+  written.seconds = writing.seconds();
+  if (interrupted() != 0) throw Cancelled();
+  return written;
+}
+
 std::vector<Written> write_meshes(const std::vector<Output>& outputs, const io::MeshView& mesh) {
   std::vector<Written> all;
-  for (const Output& output : outputs) {
-    const DeferInterrupt defer;  // a file that is begun is finished
-    const Stopwatch writing;
-    Written written{output.path, {}, 0};
-    unless_nobody_reads(output.path, [&] { written.files = io::write_mesh(output.path, output.format, mesh); });
-    written.seconds = writing.seconds();
-    all.push_back(std::move(written));
-    if (interrupted() != 0) throw Cancelled();
-  }
+  for (const Output& output : outputs)
+    all.push_back(write_one(output.path, [&] { return io::write_mesh(output.path, output.format, mesh); }));
   return all;
 }
 

@@ -1,6 +1,7 @@
 // The files a run is to write: named, checked against each other and against the dimension before any work.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,16 @@ struct Output {
 std::vector<Output> plan_outputs(const std::vector<std::string>& paths, const std::string& format,
                                  const std::string& input);
 
+/// One -o, and the files that it makes.
+struct Target {
+  std::string path;
+  std::vector<std::string> files;
+};
+
+/// @param inputs  the files that are read, which no output may replace
+/// @throws UsageError for two outputs in one file, a place that cannot be written
+void require_apart(const std::vector<Target>& targets, const std::vector<std::string>& inputs);
+
 /// Refuses what can be seen to be unwritable: no such folder, a folder in its place, no permission.
 /// @throws UsageError
 void require_writable(const std::string& path);
@@ -34,6 +45,10 @@ void require_merged(const std::vector<Output>& outputs, int dimension);
 
 /// Does a format among these show neighbours, or what they tell: the surface of tetrahedra, edges seen once?
 bool want_neighbours(const std::vector<Output>& outputs);
+
+/// Calls `write`, which tells the files it wrote, and takes its time. A file that is begun is finished.
+/// @throws Cancelled afterwards, when that was asked for meanwhile
+Written write_one(const std::string& path, const std::function<std::vector<std::string>()>& write);
 
 /// Writes every output. @throws Cancelled between two of them
 std::vector<Written> write_meshes(const std::vector<Output>& outputs, const io::MeshView& mesh);

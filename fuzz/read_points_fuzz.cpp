@@ -1,5 +1,5 @@
 // Any bytes, in any format, are read or refused with an InputError of one line. What is read is finite and
-// rectangular; ids of cells are within range.
+// rectangular; ids of cells are within range; a region has an area or a volume.
 // The first byte chooses the format, the second the options; the rest is the file.
 #include <array>
 #include <cmath>
@@ -57,9 +57,13 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   constexpr std::array kPoints{"a.csv", "a.npy", "a.node", "a.xyz", "a.ply", "a.obj", "a.off"};
   constexpr std::array kCells{"a.cells", "a.npy", "a.ele", "a.vtu", "a.ply", "a.obj", "a.off", "a.geojson"};
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 2, size - 2);
-  const std::size_t choice = data[0] % (kPoints.size() + kCells.size());
+  const std::size_t choice = data[0] % (kPoints.size() + kCells.size() + 1);
   if (choice < kPoints.size()) {
     read_or_refuse([&] { require_sound(read_points_from_memory(kPoints[choice], bytes, options_of(data[1]))); });
+    return 0;
+  }
+  if (choice == kPoints.size() + kCells.size()) {
+    read_or_refuse([&] { require(read_region_from_memory("a", bytes, 2 + data[1] % 2).measure() > 0); });
     return 0;
   }
   read_or_refuse([&] {

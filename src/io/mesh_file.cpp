@@ -2,9 +2,8 @@
 
 #include <array>
 
-#include "io/complain.hpp"
+#include "io/formats.hpp"
 #include "io/mesh_io.hpp"
-#include "io/source.hpp"
 
 namespace delone::io {
 namespace {
@@ -34,7 +33,7 @@ Paths several_files(const std::string& path, const MeshView& mesh, const Picture
 }
 
 struct Entry {
-  const char* name;  // of the format and, where it is none of the aliases below, the extension
+  std::string_view name;  // of the format, and the extension
   MeshFormat format;
   Writer write;
   bool packs;  // can be compressed
@@ -52,26 +51,11 @@ constexpr std::array kFormats{
     Entry{"geojson", MeshFormat::geojson, one_file<write_geojson>, true},
     Entry{"svg", MeshFormat::svg, one_picture<write_svg>, true},
     Entry{"png", MeshFormat::png, one_picture<write_png>, false},
+    Entry{"ele", MeshFormat::node_ele, several_files<write_node_ele>, false},
+    Entry{"neigh", MeshFormat::node_ele, several_files<write_node_ele>, false},
+    Entry{"node_ele", MeshFormat::node_ele, several_files<write_node_ele>, false},
+    Entry{"json", MeshFormat::geojson, one_file<write_geojson>, true},
 };
-
-struct Alias {
-  const char* name;
-  MeshFormat format;
-};
-
-constexpr std::array kAliases{
-    Alias{"ele", MeshFormat::node_ele},
-    Alias{"neigh", MeshFormat::node_ele},
-    Alias{"node_ele", MeshFormat::node_ele},
-    Alias{"json", MeshFormat::geojson},
-};
-
-const Entry& entry_of(MeshFormat format) {
-  for (const Entry& entry : kFormats) {
-    if (entry.format == format) return entry;
-  }
-  return kFormats.front();
-}
 
 /// Merged polytopes none of which has more corners than a simplex are the simplices.
 bool merges_nothing(const MeshView& mesh) {
@@ -83,25 +67,13 @@ bool merges_nothing(const MeshView& mesh) {
 
 }  // namespace
 
-std::optional<MeshFormat> mesh_format(const std::string& name) {
-  for (const Entry& entry : kFormats) {
-    if (name == entry.name) return entry.format;
-  }
-  for (const Alias& alias : kAliases) {
-    if (name == alias.name) return alias.format;
-  }
-  return std::nullopt;
-}
+std::optional<MeshFormat> mesh_format(const std::string& name) { return format_named(kFormats, name); }
 
-std::optional<MeshFormat> mesh_format_of_path(const std::string& path) {
-  const std::optional<MeshFormat> format = mesh_format(Source::extension(path));
-  if (format && path.ends_with(".gz") && !entry_of(*format).packs) return std::nullopt;
-  return format;
-}
+std::optional<MeshFormat> mesh_format_of_path(const std::string& path) { return format_of_extension(kFormats, path); }
 
 Paths write_mesh(const std::string& path, MeshFormat format, const MeshView& mesh, const PictureOptions& picture) {
-  const Entry& entry = entry_of(format);
-  if (path.ends_with(".gz") && !entry.packs) refuse_mesh(entry.name, "are not compressed: leave out .gz");
+  const Entry& entry = entry_of(kFormats, format);
+  require_packs(entry, path);
   MeshView shown = mesh;
   const bool rows_only = format == MeshFormat::csv || format == MeshFormat::cells;
   if (!rows_only && mesh.merged != nullptr && merges_nothing(mesh)) shown.merged = nullptr;

@@ -1,4 +1,4 @@
-// PNG pictures: triangles by our own scan conversion, which leaves no seams between them; edges and dots by Cairo.
+// PNG pictures: faces by our own scan conversion, which leaves no seams between them; edges and dots by Cairo.
 #include <cairo.h>
 
 #include <memory>
@@ -56,10 +56,7 @@ constexpr int kBatch = 20'000;
 void draw_edges(const Scene& scene, cairo_t* context) {
   cairo_set_line_width(context, scene.edge_width);
   cairo_set_line_cap(context, CAIRO_LINE_CAP_BUTT);
-  std::array<std::vector<std::array<Index, 2>>, kOpacitySteps + 1> groups;
-  for (const auto& edge : scene.edges) {
-    groups[static_cast<std::size_t>(scene.opacity(edge) * kOpacitySteps + 0.5)].push_back(edge);
-  }
+  const auto groups = scene.edges_by_opacity();
   for (std::size_t step = 1; step < groups.size(); ++step) {
     set_colour(context, kInk, static_cast<double>(step) / kOpacitySteps);
     int waiting = 0;
@@ -91,7 +88,7 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned length) {
 std::string draw_png(const Scene& scene) {
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, scene.width, scene.height));
   require(cairo_surface_status(surface.get()));
-  put_image(fill_triangles(scene), surface.get());
+  put_image(fill_faces(scene), surface.get());
   const Context context(cairo_create(surface.get()));
   draw_edges(scene, context.get());
   draw_dots(scene, scene.vertices, kInk, context.get());
@@ -102,11 +99,14 @@ std::string draw_png(const Scene& scene) {
   return bytes;
 }
 
-void write_png(const std::string& path, const MeshView& mesh, const PictureOptions& picture) {
-  const Scene scene = compose(mesh, picture, "png");
+void write_png(const std::string& path, const Scene& scene) {
   Output out(path);
   out << draw_png(scene);
   out.commit();
+}
+
+void write_png(const std::string& path, const MeshView& mesh, const PictureOptions& picture) {
+  write_png(path, compose(mesh, picture, "png"));
 }
 
 }  // namespace delone::io

@@ -1,7 +1,8 @@
-// Triangles into samples: each row of samples is cut at the same places by both triangles of an edge, and a span takes
-// its left end and leaves its right one, so that triangles neither overlap nor leave gaps. Then samples are averaged.
+// Faces into samples: each row of samples is cut at the same places by both faces of an edge, and a span takes its left
+// end and leaves its right one, so that faces neither overlap nor leave gaps. Then samples are averaged.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "io/scene.hpp"
 
@@ -51,6 +52,23 @@ class Canvas {
     }
   }
 
+  /// Lets an edge of a polygon cross the rows; fill_crossed() then fills what an odd number of its loops goes around.
+  void cross(Place a, Place b) {
+    const int last = first_sample(std::max(a.y, b.y), height_);
+    for (int row = first_sample(std::min(a.y, b.y), height_); row < last; ++row)
+      crossings_.emplace_back(row, crossing(a, b, row + 0.5));
+  }
+  void fill_crossed(std::uint32_t colour) {
+    std::ranges::sort(crossings_);
+    for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) {
+      const auto& [row, x] = crossings_[i];
+      const int left = first_sample(x, width_);
+      const int right = first_sample(crossings_[i + 1].second, width_);
+      if (left < right) std::fill_n(&samples_[index(left, row)], right - left, colour);
+    }
+    crossings_.clear();
+  }
+
   Image average() const {
     Image image{width_ / kSamples, height_ / kSamples, {}};
     image.pixels.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
@@ -82,6 +100,7 @@ class Canvas {
 
   int width_, height_;
   std::vector<std::uint32_t> samples_;
+  std::vector<std::pair<int, double>> crossings_;  ///< of the polygon at hand: rows and x, an even number in each row
 };
 
 /// A number given at three corners, linear between them.
@@ -108,11 +127,7 @@ class Plane {
   double low_ = 0, high_ = 1;
 };
 
-}  // namespace
-
-Image fill_triangles(const Scene& scene) {
-  Canvas canvas(scene.width, scene.height);
-  const Palette palette = scene.palette();
+void fill_triangles(const Scene& scene, const Palette& palette, Canvas& canvas) {
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
     const auto& corners = scene.triangles[t];
     std::array<Place, 3> places;
@@ -131,6 +146,29 @@ Image fill_triangles(const Scene& scene) {
       for (int i = 0; i < count; ++i) out[i] = opaque(palette(tone(x + i, y), shade(x + i, y)));
     });
   }
+}
+
+void fill_polygons(const Scene& scene, const Palette& palette, Canvas& canvas) {
+  const auto place = [&](std::size_t corner) {
+    return Place{scene.at[corner][0] * kSamples, scene.at[corner][1] * kSamples};
+  };
+  for (std::size_t polygon = 0; polygon + 1 < scene.polygons.size(); ++polygon) {
+    for (std::size_t loop = scene.polygons[polygon]; loop < scene.polygons[polygon + 1]; ++loop) {
+      Place before = place(scene.loops[loop + 1] - 1);
+      for (std::size_t corner = scene.loops[loop]; corner < scene.loops[loop + 1]; ++corner)
+        canvas.cross(std::exchange(before, place(corner)), place(corner));
+    }
+    canvas.fill_crossed(opaque(scene.colour(polygon, palette)));
+  }
+}
+
+}  // namespace
+
+Image fill_faces(const Scene& scene) {
+  Canvas canvas(scene.width, scene.height);
+  const Palette palette = scene.palette();
+  fill_triangles(scene, palette, canvas);
+  fill_polygons(scene, palette, canvas);
   return canvas.average();
 }
 

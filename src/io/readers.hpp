@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "delone/dual/region.hpp"
 #include "delone/io/points_file.hpp"
 #include "delone/mesh/cell_table.hpp"
 #include "io/source.hpp"
@@ -33,5 +34,8 @@ PointTable read_points_from_memory(const std::string& name, std::string_view byt
 /// read_cells of a file that is in memory.
 CellTable read_cells_from_memory(const std::string& name, std::string_view bytes, std::size_t point_count,
                                  const std::string& format = "");
+
+/// read_region of a file that is in memory.
+Region read_region_from_memory(const std::string& name, std::string_view bytes, int dimension);
 
 }  // namespace delone::io

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "io/facets.hpp"
 
@@ -15,19 +14,6 @@ constexpr std::array kSizeStops{Colour{250, 246, 234}, Colour{222, 234, 220}, Co
                                 Colour{66, 146, 172},  Colour{26, 82, 130},   Colour{16, 46, 92}};
 constexpr std::array kHeightStops{Colour{38, 84, 102},   Colour{66, 136, 112}, Colour{150, 184, 122},
                                   Colour{232, 220, 160}, Colour{205, 156, 98}, Colour{150, 98, 74}};
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  void include(double x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-  // Halved before they meet, so that nothing overflows.
-  double middle() const { return low / 2 + high / 2; }
-  double half() const { return high / 2 - low / 2; }
-};
 
 /// The values below and above which lie 2 % of `numbers`.
 Range without_outliers(std::vector<float> numbers) {
@@ -70,33 +56,23 @@ float tone_within(const Range& range, double x) {
   return length > 0 ? static_cast<float>(std::clamp((x - range.low) / length, 0.0, 1.0)) : 0.5F;
 }
 
-/// Gives the scene its size and every row its pixel: equal scales on both axes, a margin around.
+/// Gives the scene its size and every row its pixel.
 void lay_out(const MeshView& mesh, const PictureOptions& options, Scene& scene) {
   const auto dimension = static_cast<std::size_t>(mesh.points.dimension);
-  const std::vector<double>& coordinates = mesh.points.coordinates;
   const std::size_t n = mesh.points.size();
+  const auto place = [&](std::size_t row) {
+    const double* const x = &mesh.points.coordinates[row * dimension];
+    return std::array{x[0], dimension == 2 ? x[1] : 0.0};
+  };
   std::array<Range, 2> ranges;
   for (std::size_t row = 0; row < n; ++row) {
-    for (std::size_t axis = 0; axis < 2; ++axis)
-      ranges[axis].include(axis < dimension ? coordinates[row * dimension + axis] : 0);
+    for (std::size_t axis = 0; axis < 2; ++axis) ranges[axis].include(place(row)[axis]);
   }
-  scene.width = std::clamp(options.width, 16, 16384);
-  const double margin = std::max(6.0, 0.025 * scene.width);
-  const double inner_width = scene.width - 2 * margin;
-  const double half = n == 0 ? 0 : std::max(ranges[0].half(), ranges[1].half());
-  const double across = half > 0 ? ranges[0].half() / half : 1;  // shares of the larger extent
-  const double along = half > 0 ? ranges[1].half() / half : 0;
-  const double inner_height = inner_width * std::clamp(along / std::max(across, 1e-9), 0.2, 1.4);
-  scene.height = static_cast<int>(std::lround(inner_height + 2 * margin));
-  const double scale = std::min(inner_width / (2 * std::max(across, 1e-9)), inner_height / (2 * std::max(along, 1e-9)));
+  const Frame frame(ranges, options);
+  scene.width = frame.width();
+  scene.height = frame.height();
   scene.at.reserve(n);
-  for (std::size_t row = 0; row < n; ++row) {
-    std::array<double, 2> place{};
-    for (std::size_t axis = 0; axis < dimension && half > 0; ++axis) {
-      place[axis] = scale * ((coordinates[row * dimension + axis] - ranges[axis].middle()) / half);
-    }
-    scene.at.push_back({scene.width / 2.0 + place[0], scene.height / 2.0 - place[1]});
-  }
+  for (std::size_t row = 0; row < n; ++row) scene.at.push_back(frame(place(row)));
 }
 
 double double_area(const Scene& scene, const std::array<Index, 3>& triangle) {
@@ -182,12 +158,10 @@ void light(const std::vector<double>& elevation, Scene& scene) {
   }
 }
 
-void choose_dots_and_lines(const MeshView& mesh, Scene& scene) {
+void choose_dots(const MeshView& mesh, Scene& scene) {
   const std::size_t n = mesh.points.size();
-  const double spacing = std::sqrt(scene.width * static_cast<double>(scene.height) / static_cast<double>(n + 1));
-  scene.edge_width = std::clamp(spacing / 50, 0.8, 2.0);
-  if (spacing < 14) return;
-  scene.dot_radius = std::clamp(spacing / 18, 1.2, 6.0);
+  choose_widths(n, scene);
+  if (scene.dot_radius == 0) return;
   std::vector<bool> used(n, false);
   for (const Index row : mesh.cells.vertices) used[row] = true;
   for (std::size_t row = 0; row < n; ++row) {
@@ -221,9 +195,9 @@ Colour Palette::operator()(float tone, float shade) const {
 
 Palette Scene::palette() const { return lit() ? Palette(kHeightStops) : Palette(kSizeStops); }
 
-Colour Scene::colour(std::size_t triangle, const Palette& palette) const {
-  if (!lit()) return palette(tone[triangle]);
-  const auto& [a, b, c] = triangles[triangle];
+Colour Scene::colour(std::size_t face, const Palette& palette) const {
+  if (!lit()) return palette(tone[face]);
+  const auto& [a, b, c] = triangles[face];
   return palette((height_tone[a] + height_tone[b] + height_tone[c]) / 3, (shade[a] + shade[b] + shade[c]) / 3);
 }
 
@@ -234,8 +208,50 @@ double Scene::length(std::array<Index, 2> edge) const {
 double Scene::opacity(std::array<Index, 2> edge) const {
   // The number of edges in a place grows with the square of their shortness: fading them by their length keeps the ink
   // per pixel bounded.
-  const double strongest = triangles.empty() ? 1.0 : lit() ? 0.35 : 0.5;
+  const double strongest = face_count() == 0 ? 1.0 : lit() ? 0.35 : 0.5;
   return strongest * std::min(1.0, length(edge) / 14.0);
+}
+
+std::array<std::vector<std::array<Index, 2>>, kOpacitySteps + 1> Scene::edges_by_opacity() const {
+  std::array<std::vector<std::array<Index, 2>>, kOpacitySteps + 1> groups;
+  for (const auto& edge : edges) groups[static_cast<std::size_t>(opacity(edge) * kOpacitySteps + 0.5)].push_back(edge);
+  auto& middle = groups[kOpacitySteps / 2];
+  middle.insert(middle.end(), rim.begin(), rim.end());
+  return groups;
+}
+
+Frame::Frame(const std::array<Range, 2>& shown, const PictureOptions& options)
+    : width_(std::clamp(options.width, 16, 16384)),
+      middle_{shown[0].middle(), shown[1].middle()},
+      half_(std::max({shown[0].half(), shown[1].half(), 0.0})) {
+  const double margin = std::max(6.0, 0.025 * width_);
+  const double inner_width = width_ - 2 * margin;
+  const double across = half_ > 0 ? std::max(shown[0].half() / half_, 1e-9) : 1;  // shares of the larger extent
+  const double along = half_ > 0 ? std::max(shown[1].half() / half_, 1e-9) : 1e-9;
+  const double inner_height = inner_width * std::clamp(along / across, 0.2, 1.4);
+  height_ = static_cast<int>(std::lround(inner_height + 2 * margin));
+  scale_ = std::min(inner_width / (2 * across), inner_height / (2 * along));
+}
+
+std::array<double, 2> Frame::operator()(std::array<double, 2> place) const {
+  const auto shift = [&](std::size_t axis) {
+    return half_ > 0 ? scale_ * ((place[axis] - middle_[axis]) / half_) : 0.0;
+  };
+  return {width_ / 2.0 + shift(0), height_ / 2.0 - shift(1)};
+}
+
+std::vector<float> tones_of_sizes(const std::vector<float>& sizes) {
+  const Range range = range_of_sizes(sizes);
+  std::vector<float> tones;
+  tones.reserve(sizes.size());
+  for (const float size : sizes) tones.push_back(1 - tone_within(range, size));
+  return tones;
+}
+
+void choose_widths(std::size_t points, Scene& scene) {
+  const double spacing = std::sqrt(scene.width * static_cast<double>(scene.height) / static_cast<double>(points + 1));
+  scene.edge_width = std::clamp(spacing / 50, 0.8, 2.0);
+  scene.dot_radius = spacing < 14 ? 0 : std::clamp(spacing / 18, 1.2, 6.0);
 }
 
 Scene compose(const MeshView& mesh, const PictureOptions& options, std::string_view format) {
@@ -257,11 +273,9 @@ Scene compose(const MeshView& mesh, const PictureOptions& options, std::string_v
   } else if (mesh.tone != nullptr && mesh.merged == nullptr && mesh.tone->size() == scene.triangles.size()) {
     scene.tone = *mesh.tone;
   } else {
-    const Range range = range_of_sizes(sizes);
-    scene.tone.reserve(sizes.size());
-    for (const float size : sizes) scene.tone.push_back(1 - tone_within(range, size));
+    scene.tone = tones_of_sizes(sizes);
   }
-  choose_dots_and_lines(mesh, scene);
+  choose_dots(mesh, scene);
   return scene;
 }
 

@@ -1,16 +1,17 @@
-// SVG pictures. Coordinates are whole tenths of a pixel; triangles of one colour make one path, edges of one opacity
+// SVG pictures. Coordinates are whole tenths of a pixel; faces of one colour make one path, edges of one opacity
 // another. Where there are too many for a viewer, the picture is drawn here and the SVG holds it as an image.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <map>
+#include <ranges>
 
 #include "io/scene.hpp"
 
 namespace delone::io {
 namespace {
 
-constexpr std::size_t kMostTriangles = 60'000;
+constexpr std::size_t kMostFaces = 60'000;
 constexpr double kUnits = 10;  // per pixel
 
 struct Spot {
@@ -22,14 +23,30 @@ class Paths {
   Paths(const Scene& scene, Output& out) : scene_(scene), out_(out) {}
 
   /// M x y l dx dy dx dy: the first place, then steps.
-  void polyline(std::span<const Index> rows) {
+  template <class Rows>
+  void polyline(const Rows& rows) {
     Spot last{};
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const Spot spot{std::lround(scene_.at[rows[i]][0] * kUnits), std::lround(scene_.at[rows[i]][1] * kUnits)};
+    std::size_t i = 0;
+    for (const std::size_t row : rows) {
+      const Spot spot{std::lround(scene_.at[row][0] * kUnits), std::lround(scene_.at[row][1] * kUnits)};
       if (i < 2) out_ << (i == 0 ? 'M' : 'l');
       number(spot.x - last.x, i >= 2);
       number(spot.y - last.y, true);
       last = spot;
+      ++i;
+    }
+  }
+
+  /// A triangle, or the loops of a polygon; holes run the other way round, so that they stay empty.
+  void face(std::size_t face) {
+    if (!scene_.triangles.empty()) {
+      polyline(scene_.triangles[face]);
+      out_ << 'z';
+      return;
+    }
+    for (std::size_t loop = scene_.polygons[face]; loop < scene_.polygons[face + 1]; ++loop) {
+      polyline(std::views::iota(scene_.loops[loop], scene_.loops[loop + 1]));
+      out_ << 'z';
     }
   }
 
@@ -52,28 +69,22 @@ Colour rounded(Colour colour) {
   return {round(colour.red), round(colour.green), round(colour.blue)};
 }
 
-void write_triangles(const Scene& scene, Output& out) {
+void write_faces(const Scene& scene, Output& out) {
   std::map<std::string, std::vector<std::size_t>> groups;
   const Palette palette = scene.palette();
-  for (std::size_t t = 0; t < scene.triangles.size(); ++t) groups[hex(rounded(scene.colour(t, palette)))].push_back(t);
+  for (std::size_t f = 0; f < scene.face_count(); ++f) groups[hex(rounded(scene.colour(f, palette)))].push_back(f);
   Paths paths(scene, out);
   out << "<g stroke-width=\"6\" stroke-linejoin=\"round\">\n";  // a stroke of its own colour closes the seams
-  for (const auto& [colour, triangles] : groups) {
+  for (const auto& [colour, faces] : groups) {
     out.print("<path fill=\"{0}\" stroke=\"{0}\" d=\"", colour);
-    for (const std::size_t t : triangles) {
-      paths.polyline(scene.triangles[t]);
-      out << 'z';
-    }
+    for (const std::size_t f : faces) paths.face(f);
     out << "\"/>\n";
   }
   out << "</g>\n";
 }
 
 void write_edges(const Scene& scene, Output& out) {
-  std::array<std::vector<std::array<Index, 2>>, kOpacitySteps + 1> groups;
-  for (const auto& edge : scene.edges) {
-    groups[static_cast<std::size_t>(scene.opacity(edge) * kOpacitySteps + 0.5)].push_back(edge);
-  }
+  const auto groups = scene.edges_by_opacity();
   Paths paths(scene, out);
   out.print("<g fill=\"none\" stroke=\"{}\" stroke-width=\"{}\">\n", hex(kInk), std::lround(scene.edge_width * kUnits));
   for (std::size_t step = 1; step < groups.size(); ++step) {
@@ -111,24 +122,27 @@ void write_base64(std::string_view bytes, Output& out) {
 
 }  // namespace
 
-void write_svg(const std::string& path, const MeshView& mesh, const PictureOptions& picture) {
-  const Scene scene = compose(mesh, picture, "svg");
+void write_svg(const std::string& path, const Scene& scene) {
   Output out(path);
   out.print("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {2} {3}\">\n",
             scene.width, scene.height, std::lround(scene.width * kUnits), std::lround(scene.height * kUnits));
   out.print("<rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n", hex(kPaper));
-  if (scene.triangles.size() + scene.edges.size() / 2 > 2 * kMostTriangles) {
+  if (scene.face_count() + (scene.edges.size() + scene.rim.size()) / 2 > 2 * kMostFaces) {
     out << "<image width=\"100%\" height=\"100%\" href=\"data:image/png;base64,";
     write_base64(draw_png(scene), out);
     out << "\"/>\n";
   } else {
-    write_triangles(scene, out);
+    write_faces(scene, out);
     write_edges(scene, out);
     write_dots(scene, scene.vertices, kInk, out);
     write_dots(scene, scene.hidden, kHiddenInk, out);
   }
   out << "</svg>\n";
   out.commit();
+}
+
+void write_svg(const std::string& path, const MeshView& mesh, const PictureOptions& picture) {
+  write_svg(path, compose(mesh, picture, "svg"));
 }
 
 }  // namespace delone::io

@@ -1,6 +1,7 @@
-// VTK's UnstructuredGrid in XML, which ParaView opens: one appended block of raw little-endian arrays.
-// Format: "VTK File Formats" of the VTK documentation, XML formats. Each array is preceded by its length in bytes.
-// Every input row is a point, so ids are row numbers; attributes, weights and the status of each row are point data.
+// Meshes as VTK files. Every input row is a point, so ids are row numbers; attributes, weights and the status of each
+// row are point data.
+#include "io/vtu.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,22 +32,6 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-/// The XML that announces the arrays, each at its place in the block that follows.
-class Announcements {
- public:
-  void array(std::string_view type, std::string_view name, std::size_t bytes, std::string_view more = "") {
-    text_ += fmt::format("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n", type,
-                         escaped(name), more, offset_);
-    offset_ += sizeof(std::uint64_t) + bytes;
-  }
-  void line(std::string_view text) { text_.append(text).push_back('\n'); }
-  const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-  std::size_t offset_ = 0;
-};
-
 struct Grid {
   const MeshView& mesh;
   Embedding points;
@@ -68,34 +53,20 @@ std::string announce(const Grid& grid) {
   const std::size_t n = grid.mesh.points.size();
   const std::string_view integer = grid.wide() ? "Int64" : "Int32";
   const std::size_t size = grid.wide() ? 8 : 4;
-  Announcements xml;
-  xml.line("<?xml version=\"1.0\"?>");
-  xml.line("<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">");
-  xml.line("  <UnstructuredGrid>");
-  xml.line(fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">", n, grid.cell_count()));
-  xml.line("      <Points>");
+  VtuHead xml(n, grid.cell_count());
+  xml.begin("Points");
   xml.array("Float64", "Points", n * 3 * sizeof(double), " NumberOfComponents=\"3\"");
-  xml.line("      </Points>");
-  xml.line("      <Cells>");
+  xml.end("Points");
+  xml.begin("Cells");
   xml.array(integer, "connectivity", grid.corners().size() * size);
   xml.array(integer, "offsets", grid.cell_count() * size);
   xml.array("UInt8", "types", grid.cell_count());
-  xml.line("      </Cells>");
-  xml.line("      <PointData>");
+  xml.end("Cells");
+  xml.begin("PointData");
   for (const NamedNumbers& column : grid.numbers) xml.array("Float64", column.name, n * sizeof(double));
   if (!grid.status.empty()) xml.array("UInt8", "status", n);
-  xml.line("      </PointData>");
-  xml.line("    </Piece>");
-  xml.line("  </UnstructuredGrid>");
-  xml.line("  <AppendedData encoding=\"raw\">");
-  return xml.text() + "_";
-}
-
-/// An array after its length in bytes.
-template <class T, class Numbers>
-void put_array(Output& out, const Numbers& numbers) {
-  out.put<std::uint64_t>(std::ranges::size(numbers) * sizeof(T));
-  out.put_all<T>(numbers);
+  xml.end("PointData");
+  return xml.finish();
 }
 
 template <class Integer>
@@ -114,6 +85,28 @@ void put_cells(Output& out, const Grid& grid) {
 
 }  // namespace
 
+VtuHead::VtuHead(std::size_t points, std::size_t cells)
+    : text_(fmt::format("<?xml version=\"1.0\"?>\n"
+                        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+                        "header_type=\"UInt64\">\n"
+                        "  <UnstructuredGrid>\n"
+                        "    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+                        points, cells)) {}
+
+void VtuHead::begin(std::string_view section) { text_ += fmt::format("      <{}>\n", section); }
+
+void VtuHead::array(std::string_view type, std::string_view name, std::size_t bytes, std::string_view more) {
+  text_ += fmt::format("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n", type,
+                       escaped(name), more, offset_);
+  offset_ += sizeof(std::uint64_t) + bytes;
+}
+
+void VtuHead::end(std::string_view section) { text_ += fmt::format("      </{}>\n", section); }
+
+std::string VtuHead::finish() {
+  return std::move(text_) + "    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n_";
+}
+
 void write_vtu(const std::string& path, const MeshView& mesh) {
   const Grid grid{mesh, Embedding(mesh, "vtu"), mesh.merged != nullptr ? polygons_of(mesh, "vtu") : PolytopeTable(),
                   point_numbers(mesh), status_codes(mesh)};
@@ -131,7 +124,7 @@ void write_vtu(const std::string& path, const MeshView& mesh) {
   }
   for (const NamedNumbers& column : grid.numbers) put_array<double>(out, *column.numbers);
   if (!grid.status.empty()) put_array<unsigned char>(out, grid.status);
-  out << "\n  </AppendedData>\n</VTKFile>\n";
+  out << kVtuTail;
   out.commit();
 }
 

@@ -60,7 +60,7 @@ TEST(Scene, every_edge_comes_once) { EXPECT_EQ(lattice(4).scene().edges.size(), 
 
 TEST(Raster, triangles_cover_their_union_without_seams) {
   const Scene scene = lattice(7).scene(401);
-  const Image image = fill_triangles(scene);
+  const Image image = fill_faces(scene);
   ASSERT_EQ(image.width, 401);
   std::size_t opaque = 0;
   std::size_t partial = 0;

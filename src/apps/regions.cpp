@@ -1,0 +1,97 @@
+#include "delone/apps/regions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace delone {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// From corner to corner by the edges, each of which leads to the next one.
+Ring ring_of(PointsView points, const ConvexHull& hull) {
+  std::vector<Index> next(points.size(), kNone);
+  for (std::size_t edge = 0; edge < hull.facets.size(); ++edge) next[hull.facets[edge][0]] = hull.facets[edge][1];
+  Ring ring;
+  Index row = hull.corners.front();
+  do {
+    ring.push_back({points[row][0], points[row][1]});
+    row = next[row];
+  } while (row != hull.corners.front());
+  return ring;
+}
+
+/// The half-space of a face, by three of its corners that lie well apart; all of its corners are within.
+HalfSpace side_of(PointsView points, std::span<const Index> face, const Vector& inside) {
+  const auto at = [&](Index row) { return Vector{points[row][0], points[row][1], points[row][2]}; };
+  const Vector a = at(face[0]);
+  const Vector b = at(face[face.size() / 3]);
+  const Vector c = at(face[face.size() * 2 / 3]);
+  HalfSpace side{cross(difference(b, a), difference(c, a)), -std::numeric_limits<double>::infinity()};
+  if (dot(side.normal, difference(inside, a)) > 0) side.normal = {-side.normal[0], -side.normal[1], -side.normal[2]};
+  const double length = std::hypot(side.normal[0], side.normal[1], side.normal[2]);
+  for (double& x : side.normal) x /= length;
+  for (const Index row : face) side.offset = std::max(side.offset, dot(side.normal, at(row)));
+  return side;
+}
+
+Vector mean(PointsView points, std::span<const Index> rows) {
+  Vector sum{};
+  for (const Index row : rows) {
+    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += points[row][axis] / static_cast<double>(rows.size());
+  }
+  return sum;
+}
+
+}  // namespace
+
+Region region_around(PointsView points, double margin) {
+  if (points.empty()) throw InputError("there are no points that a box could hold");
+  require_finite(points);
+  const auto dimension = static_cast<std::size_t>(points.dimension());
+  std::vector<double> low(points[0].begin(), points[0].end());
+  std::vector<double> high = low;
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    for (std::size_t axis = 0; axis < dimension; ++axis) {
+      low[axis] = std::min(low[axis], points[row][axis]);
+      high[axis] = std::max(high[axis], points[row][axis]);
+    }
+  }
+  double longest = 0;
+  for (std::size_t axis = 0; axis < dimension; ++axis) longest = std::max(longest, high[axis] - low[axis]);
+  const double wider = longest == 0 ? 1 : margin * longest;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < dimension; ++axis) {
+    low[axis] = std::min(low[axis] - wider, std::nextafter(low[axis], -kInfinity));
+    high[axis] = std::max(high[axis] + wider, std::nextafter(high[axis], kInfinity));
+  }
+  return Region::box(low, high);
+}
+
+Region hull_region(PointsView points, const HullOptions& options) {
+  const int dimension = points.dimension();
+  if (dimension != 2 && dimension != 3)
+    throw InputError("regions have dimension 2 or 3, the points have " + std::to_string(dimension));
+  const ConvexHull hull = convex_hull(points, options);
+  if (hull.affine_dimension < dimension)
+    throw InputError("the points span no " + std::string(dimension == 2 ? "area" : "volume") +
+                     ": their hull cannot be a region");
+  if (dimension == 2) return Region::polygon({ring_of(points, hull)});
+  const Vector inside = mean(points, hull.corners);
+  std::vector<HalfSpace> sides;
+  for (std::size_t face = 0; face < hull.faces.size(); ++face)
+    sides.push_back(side_of(points, hull.faces[face], inside));
+  return Region::half_spaces(3, std::move(sides));
+}
+
+}  // namespace delone
