@@ -134,26 +134,26 @@ class Centres {
               std::abs(doubled),
               2 * kRoundings * (std::abs(a) + std::abs(b))};
     } else {
+      // A minor of two rows, and the sum of the sizes of its terms, are at most the product of their lengths.
       Solution solution{{}, 0, 0, 0};
-      Column terms{};
       double doubled = 0;
-      for (std::size_t i = 0; i < 3; ++i) {  // the minors of the other two rows
+      std::array<double, 3> length;
+      for (std::size_t i = 0; i < 3; ++i)
+        length[i] = std::sqrt(d[i][0] * d[i][0] + d[i][1] * d[i][1] + d[i][2] * d[i][2]);
+      for (std::size_t i = 0; i < 3; ++i) {
         const Column& a = d[(i + 1) % 3];
         const Column& b = d[(i + 2) % 3];
         for (std::size_t j = 0; j < 3; ++j) {
-          const double left = a[(j + 1) % 3] * b[(j + 2) % 3];
-          const double right = a[(j + 2) % 3] * b[(j + 1) % 3];
-          const double sum = std::abs(left) + std::abs(right);
-          solution.offset[j] += lift[i] * (left - right);
-          terms[j] += size[i] * sum;
-          if (i > 0) continue;
-          doubled += 2 * d[0][j] * (left - right);
-          solution.doubt += 2 * kRoundings * std::abs(d[0][j]) * sum;
+          const double minor = a[(j + 1) % 3] * b[(j + 2) % 3] - a[(j + 2) % 3] * b[(j + 1) % 3];
+          solution.offset[j] += lift[i] * minor;
+          if (i == 0) doubled += 2 * d[0][j] * minor;
         }
+        solution.terms += size[i] * length[(i + 1) % 3] * length[(i + 2) % 3];
       }
-      for (double& x : solution.offset) x *= 1 / doubled;
-      solution.terms = std::max({terms[0], terms[1], terms[2]});
+      const double inverse = 1 / doubled;
+      for (double& x : solution.offset) x *= inverse;
       solution.doubled = std::abs(doubled);
+      solution.doubt = 2 * kRoundings * length[0] * length[1] * length[2];
       return solution;
     }
   }

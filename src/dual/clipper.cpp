@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace delone::dual_detail {
 namespace {
@@ -25,8 +26,8 @@ bool reaches_over(const Polygon3& polygon, const Plane& side) {
   return std::ranges::any_of(polygon, [&](const Point3& x) { return dot(side.normal, x) > side.offset; });
 }
 
-bool is_within(const RingCell& c) { return !c.ghost && c.centre.within; }
-bool is_near(const RingCell& c) { return c.ghost || c.centre.near; }
+bool is_within(const StarCell& c) { return !c.ghost && c.centre.within; }
+bool is_near(const StarCell& c) { return c.ghost || c.centre.near; }
 
 }  // namespace
 
@@ -96,11 +97,11 @@ void CellWriter::add_face(const Polygon3& face, Index across) {
   shapes_->across.push_back(across);
 }
 
-void CellWriter::add_face(std::span<const RingCell> ring, Index across) {
+void CellWriter::add_face(const Star& star, std::size_t begin, std::size_t end, Index across) {
   std::vector<double>& corners = shapes_->corners;
-  const std::size_t at = corners.size();
-  corners.resize(at + 3 * ring.size());
-  for (std::size_t i = 0; i < ring.size(); ++i) std::ranges::copy(ring[i].centre.at, &corners[at + 3 * i]);
+  std::size_t to = corners.size();
+  corners.resize(to + 3 * (end - begin));
+  for (std::size_t i = begin; i < end; ++i, to += 3) std::ranges::copy(star.at(i).centre.at, &corners[to]);
   shapes_->loops.push_back(corners.size() / 3);
   shapes_->across.push_back(across);
 }
@@ -197,19 +198,19 @@ void Clipper<D>::add_far_corners(const Point3& a, CellId first, CellId last, con
   polygon_.push_back(b + far * to);
 }
 
-/// The corners of a facet of a cell in space, counter-clockwise about the axis.
+/// The corners of a facet of a cell in space, the run begin to end of its ring, counter-clockwise about the axis.
 template <int D>
-void Clipper<D>::read_facet(std::span<const RingCell> ring, const Point3& axis) {
+void Clipper<D>::read_facet(std::size_t begin, std::size_t end, const Point3& axis) {
   polygon_.clear();
-  const std::size_t n = ring.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t before = i == 0 ? n - 1 : i - 1;
-    const std::size_t next = i + 1 == n ? 0 : i + 1;
-    if (!ring[i].ghost) {
-      polygon_.push_back(ring[i].centre.at);
-    } else if (!ring[before].ghost) {
-      const std::size_t last = ring[next].ghost ? next : i;
-      add_far_corners(ring[before].centre.at, ring[i].cell, ring[last].cell, ring[(last + 1) % n].centre.at, axis);
+  const auto next = [&](std::size_t i) { return i + 1 == end ? begin : i + 1; };
+  for (std::size_t i = begin; i < end; ++i) {
+    const StarCell& c = star_.at(i);
+    const StarCell& before = star_.at(i == begin ? end - 1 : i - 1);
+    if (!c.ghost) {
+      polygon_.push_back(c.centre.at);
+    } else if (!before.ghost) {
+      const std::size_t last = star_.at(next(i)).ghost ? next(i) : i;
+      add_far_corners(before.centre.at, c.cell, star_.at(last).cell, star_.at(next(last)).centre.at, axis);
     }
   }
 }
@@ -245,8 +246,8 @@ void Clipper<D>::planar_block(std::span<const VertexId> sites) {
 template <int D>
 bool Clipper<D>::read_far_corners(std::size_t i) {
   const Complex& complex = t_.complex();
-  const CellId c = star_.ring[i].cell;
-  const Centre before = star_.ring[i == 0 ? star_.ring.size() - 1 : i - 1].centre;
+  const CellId c = star_.at(i).cell;
+  const Centre before = star_.at(i == 0 ? star_.ring.size() - 1 : i - 1).centre;
   const Centre after = centres_[complex.cell(complex.twin(c, D))];
   int slot = 0;
   while (complex.vertex(c, slot) != star_.facets[i].neighbour) ++slot;
@@ -267,7 +268,7 @@ typename Clipper<D>::PlanarCell Clipper<D>::read_planar(VertexId v) {
       corners_.push_back({{}, across});
       continue;
     }
-    const RingCell& c = star_.ring[i];
+    const StarCell& c = star_.at(i);
     if (c.ghost) {
       cell.within = false;
       cell.placed = read_far_corners(i) && cell.placed;
@@ -365,17 +366,17 @@ void Clipper<D>::cut_region(const PlanarCell& cell, const Loops& region) {
 template <int D>
 void Clipper<D>::write_spatial(VertexId v) {
   stars_.read(v, star_);
-  if (full_ && std::ranges::all_of(star_.ring, is_within)) {
-    std::size_t next = 0;
+  if (full_ && std::ranges::all_of(star_.cells, is_within)) {
+    std::size_t begin = 0;
     for (const Facet& facet : star_.facets) {
-      writer_.add_face(std::span(star_.ring).subspan(next, facet.end - next), t_.sites().row(facet.neighbour));
-      next = facet.end;
+      writer_.add_face(star_, begin, facet.end, t_.sites().row(facet.neighbour));
+      begin = facet.end;
     }
     return;
   }
   planes_.clear();
   for (const Facet& facet : star_.facets) planes_.push_back(bisector_of(v, facet.neighbour));
-  if (full_ && std::ranges::all_of(star_.ring, is_near)) return write_placed(v);
+  if (full_ && std::ranges::all_of(star_.cells, is_near)) return write_placed(v);
   for (const Plane& plane : planes_) block_->doubtful.push_back({t_.sites().row(v), plane.across});
   writer_.look_from(place(v));
   writer_.add_cut_region(planes_);
@@ -388,9 +389,14 @@ void Clipper<D>::write_placed(VertexId v) {
   crossed_.assign(frame_.sides.size(), false);
   std::size_t begin = 0;
   for (std::size_t i = 0; i < planes_.size(); ++i) {
-    const auto ring = std::span(star_.ring).subspan(begin, star_.facets[i].end - begin);
-    begin = star_.facets[i].end;
-    read_facet(ring, planes_[i].normal);
+    const std::size_t first = std::exchange(begin, star_.facets[i].end);
+    bool within = true;
+    for (std::size_t j = first; j < begin; ++j) within = within && is_within(star_.at(j));
+    if (within) {
+      writer_.add_face(star_, first, begin, planes_[i].across);
+      continue;
+    }
+    read_facet(first, begin, planes_[i].normal);
     sides_.clear();
     for (std::size_t side = 0; side < frame_.sides.size(); ++side) {
       if (!reaches_over(polygon_, frame_.sides[side])) continue;

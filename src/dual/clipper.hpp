@@ -52,7 +52,7 @@ class CellWriter {
   void add(const Loops& loops);
   /// In space: a face that lies in the region.
   void add_face(const Polygon3& face, Index across);
-  void add_face(std::span<const RingCell> ring, Index across);
+  void add_face(const Star& star, std::size_t begin, std::size_t end, Index across);
   /// What planes leave of it.
   void add_cut_face(const Polygon3& face, Index across, std::span<const Plane> cuts);
 
@@ -110,7 +110,7 @@ class Clipper {
   Point3 ray(CellId ghost) const;
   /// The run of ghosts in a ring as corners far outside: from the finite cell before to the one after them.
   void add_far_corners(const Point3& before, CellId first, CellId last, const Point3& after, const Point3& axis);
-  void read_facet(std::span<const RingCell> ring, const Point3& axis);
+  void read_facet(std::size_t begin, std::size_t end, const Point3& axis);
 
   void planar_block(std::span<const VertexId> sites);
   bool read_far_corners(std::size_t i);

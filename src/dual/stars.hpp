@@ -16,56 +16,14 @@
 
 namespace delone::dual_detail {
 
-/// Numbers for a few ids, forgotten in no time.
-class IdNumbers {
- public:
-  void clear() {
-    size_ = 0;
-    if (++round_ == 0 || slots_.empty()) {
-      slots_.assign(std::max<std::size_t>(slots_.size(), 256), {});
-      round_ = 1;
-    }
-  }
-  /// The number of `id`, which is `number` when it is new.
-  std::pair<std::uint32_t, bool> insert(Index id, std::uint32_t number) {
-    if (4 * (size_ + 1) > slots_.size()) grow();
-    Slot& slot = place(id);
-    if (slot.round == round_) return {slot.number, false};
-    slot = {id, number, round_};
-    ++size_;
-    return {number, true};
-  }
-
- private:
-  struct Slot {
-    Index id = 0;
-    std::uint32_t number = 0, round = 0;
-  };
-  Slot& place(Index id) {
-    std::size_t at = (static_cast<std::uint64_t>(id) * 0x9E3779B97F4A7C15U >> 32) & (slots_.size() - 1);
-    while (slots_[at].round == round_ && slots_[at].id != id) at = (at + 1) & (slots_.size() - 1);
-    return slots_[at];
-  }
-  void grow() {
-    std::vector<Slot> old(2 * slots_.size());
-    old.swap(slots_);
-    for (const Slot& slot : old) {
-      if (slot.round == round_) place(slot.id) = slot;
-    }
-  }
-
-  std::vector<Slot> slots_;
-  std::size_t size_ = 0;
-  std::uint32_t round_ = 0;
-};
-
 /// A facet of a cell: the sites on both sides have it in common, and it has an extent.
 struct Facet {
   VertexId neighbour;
   std::size_t end;  ///< of its run in Star::ring
 };
 
-struct RingCell {
+/// A cell of the triangulation at a site.
+struct StarCell {
   Centre centre;  ///< unless it is a ghost
   CellId cell;
   bool ghost;
@@ -75,12 +33,16 @@ struct RingCell {
 /// that way, are left out; so it does not depend on how ties are broken.
 struct Star {
   std::vector<Facet> facets;  ///< in the plane counter-clockwise
-  /// Of full dimension: the cells around each facet, counter-clockwise from outside, no two that follow each other with
-  /// the same centre, or for ghosts the same ray. In the plane one per facet, where its edge begins.
-  std::vector<RingCell> ring;
+  std::vector<StarCell> cells;
+  /// Of full dimension: the cells around each facet, by their places in `cells`, counter-clockwise from outside, no two
+  /// that follow each other with the same centre, or for ghosts the same ray. In the plane one per facet, where its
+  /// edge begins.
+  std::vector<std::uint32_t> ring;
 
+  const StarCell& at(std::size_t i) const { return cells[ring[i]]; }
   void clear() {
     facets.clear();
+    cells.clear();
     ring.clear();
   }
 };
@@ -90,7 +52,11 @@ class StarReader {
  public:
   /// @param centres  null when the points span no more than a flat: its centres are not those of the diagram
   StarReader(const AnyTriangulation& t, Centres<K>* centres)
-      : triangulation_(t), complex_(t.complex()), kernel_(t.sites()), centres_(centres) {}
+      : triangulation_(t),
+        complex_(t.complex()),
+        kernel_(t.sites()),
+        centres_(centres),
+        numbers_(K == 3 ? complex_.slot_count() : 0) {}
 
   /// Of a vertex of the triangulation.
   void read(VertexId v, Star& star) {
@@ -107,14 +73,14 @@ class StarReader {
  private:
   using View = ConstComplexView<K>;
 
-  RingCell ring_cell(CellId c) {
+  StarCell star_cell(CellId c) {
     const bool ghost = complex_.is_ghost(c);
     if (ghost || centres_ == nullptr) return {{}, c, ghost};
     return {(*centres_)[c], c, false};
   }
 
   /// Are the duals of two neighbouring cells the same vertex, or the same ray? @param apex  of d, which c lacks
-  bool coincide(const RingCell& c, const RingCell& d, VertexId apex) {
+  [[gnu::always_inline]] bool coincide(const StarCell& c, const StarCell& d, VertexId apex) {
     if (c.ghost != d.ghost) return false;
     if (!c.ghost) {
       return centres_ != nullptr ? centres_->coincide(c.centre, d.centre, c.cell, apex)
@@ -136,15 +102,16 @@ class StarReader {
 
   /// Turns about v. With v in slot i of a positive triangle, the edge to the corner in slot i + 2 follows its centre.
   void read_in_plane(VertexId v, Star& star) {
-    RingCell c = ring_cell(complex_.incident_cell(v));
+    StarCell c = star_cell(complex_.incident_cell(v));
     const CellId first = c.cell;
     do {
+      star.cells.push_back(c);
       const int i = complex_.slot_of(c.cell, v);
       const VertexId u = complex_.vertex(c.cell, View::turned(i, 2));
       const FacetId across = complex_.twin(c.cell, View::turned(i, 1));
-      const RingCell next = ring_cell(complex_.cell(across));
+      const StarCell next = star_cell(complex_.cell(across));
       if (u != kGhost && !coincide(c, next, complex_.vertex(across))) {
-        star.ring.push_back(c);
+        star.ring.push_back(static_cast<std::uint32_t>(star.cells.size() - 1));
         star.facets.push_back({u, star.ring.size()});
       }
       c = next;
@@ -153,74 +120,77 @@ class StarReader {
 
   /// Reads the link of v, a triangulated sphere, and goes around each of its vertices.
   void read_in_space(VertexId v, Star& star) {
-    cells_.clear();
     link_.clear();
-    number_of(complex_.incident_cell(v));
+    number_of(complex_.incident_cell(v), star);
     for (std::size_t t = 0; t < link_.size(); ++t) {
-      const CellId c = link_[t].at.cell;
-      link_[t].at = ring_cell(c);
+      const CellId c = star.cells[t].cell;
+      star.cells[t] = star_cell(c);
       const int i = complex_.slot_of(c, v);
       // (v, corner 0, 1, 2) is positive: turning a cell's four slots round is an odd permutation.
       const std::array slots{View::turned(i, 1), View::turned(i, i % 2 == 0 ? 2 : 3),
                              View::turned(i, i % 2 == 0 ? 3 : 2)};
       for (std::size_t s = 0; s < 3; ++s) {
-        const CellId across = complex_.cell(complex_.twin(c, slots[s]));
-        const std::uint32_t next = number_of(across);
+        const std::uint32_t next = number_of(complex_.cell(complex_.twin(c, slots[s])), star);
         link_[t].corner[s] = complex_.vertex(c, slots[s]);
         link_[t].next[s] = next;
       }
     }
-    for (LinkTriangle& t : link_) {
-      for (std::size_t s = 0; s < 3; ++s) {
-        if (!t.done[s] && t.corner[s] != kGhost) turn_about(t, s, star);
+    star.ring.resize(3 * link_.size());  // a place for every corner of every triangle
+    std::size_t used = 0;
+    for (std::uint32_t t = 0; t < link_.size(); ++t) {
+      for (std::uint32_t s = 0; s < 3; ++s) {
+        if (link_[t].done[s] || link_[t].corner[s] == kGhost) continue;
+        const std::size_t length = turn_about(t, s, star.cells.data(), star.ring.data() + used);
+        if (length < 3) continue;
+        used += length;
+        star.facets.push_back({link_[t].corner[s], used});
       }
     }
+    star.ring.resize(used);
   }
 
-  /// A cell at v as a triangle of its link, counter-clockwise from outside.
+  /// A cell at v as a triangle of its link, counter-clockwise from outside; of the same number as in Star::cells.
   struct LinkTriangle {
-    RingCell at;
     std::array<VertexId, 3> corner;
     std::array<std::uint32_t, 3> next;  ///< the triangle opposite each corner
     std::array<bool, 3> done;           ///< the facet with that corner was read
   };
 
-  std::uint32_t number_of(CellId c) {
-    const auto [number, is_new] = cells_.insert(raw(c), static_cast<std::uint32_t>(link_.size()));
-    if (is_new) {
-      complex_.prefetch(c);
-      if (centres_ != nullptr) centres_->prefetch(c);
-      link_.push_back({{{}, c, false}, {}, {}, {}});
-    }
-    return number;
+  /// The number that is noted for a cell is its own when the cell of that number is it.
+  std::uint32_t number_of(CellId c, Star& star) {
+    const std::uint32_t number = numbers_[raw(c)];
+    if (number < link_.size() && star.cells[number].cell == c) return number;
+    complex_.prefetch(c);
+    centres_->prefetch(c);
+    link_.push_back({});
+    star.cells.push_back({{}, c, false});
+    return numbers_[raw(c)] = static_cast<std::uint32_t>(link_.size() - 1);
   }
 
   /// The facet between v and a corner u of its link. It has an extent when at least three vertices or rays of the
-  /// diagram follow each other around it.
-  void turn_about(LinkTriangle& first, std::size_t slot, Star& star) {
-    const std::size_t begin = star.ring.size();
-    const VertexId u = first.corner[slot];
-    LinkTriangle* t = &first;
+  /// diagram follow each other around it. Returns how many do.
+  std::size_t turn_about(std::uint32_t first, std::uint32_t slot, const StarCell* cells, std::uint32_t* ring) {
+    LinkTriangle* const link = link_.data();
+    const VertexId u = link[first].corner[slot];
+    std::uint32_t t = first;
+    std::size_t length = 0;
     do {
-      t->done[slot] = true;
-      LinkTriangle& next = link_[t->next[slot == 2 ? 0 : slot + 1]];
-      slot = next.corner[0] == u ? 0 : next.corner[1] == u ? 1 : 2;
-      const VertexId apex = next.corner[slot == 0 ? 2 : slot - 1];
-      if (!coincide(t->at, next.at, apex)) star.ring.push_back(t->at);
-      t = &next;
-    } while (t != &first);
-    if (star.ring.size() - begin >= 3) {
-      star.facets.push_back({u, star.ring.size()});
-    } else {
-      star.ring.resize(begin);
-    }
+      link[t].done[slot] = true;
+      const std::uint32_t next = link[t].next[slot == 2 ? 0 : slot + 1];
+      const std::array<VertexId, 3>& corner = link[next].corner;
+      slot = corner[0] == u ? 0 : corner[1] == u ? 1 : 2;
+      ring[length] = t;
+      length += coincide(cells[t], cells[next], corner[slot == 0 ? 2 : slot - 1]) ? 0 : 1;
+      t = next;
+    } while (t != first);
+    return length;
   }
 
   const AnyTriangulation& triangulation_;
   View complex_;
   Kernel<K> kernel_;
   Centres<K>* centres_;
-  IdNumbers cells_;
+  std::vector<std::uint32_t> numbers_;  ///< per cell, in space
   std::vector<LinkTriangle> link_;
 };
 
