@@ -107,24 +107,38 @@ void Block::place_measures(const Frame& frame) {
     enlarge(*numbers, frame.dimension - 1);
 }
 
-/// The sites by the cells that they name as theirs: in space cells that are made one after the other are near each
-/// other, while sites follow the curve several times. Sites without a cell come last. In the plane sites follow it
-/// once.
-std::vector<VertexId> sites_along_cells(const AnyTriangulation& t) {
-  std::vector<std::pair<Index, Index>> keyed;  // cell, site
-  keyed.reserve(t.sites().present_count());
-  for (std::size_t s = 0; s < t.sites().size(); ++s) {
-    const VertexId v{static_cast<Index>(s)};
-    if (t.sites().is_empty(v)) continue;
-    const CellId c = t.complex().incident_cell(v);
-    keyed.emplace_back(c == kNoCell ? kNone : t.affine_dimension() == 3 ? raw(c) : Index{0}, static_cast<Index>(s));
+/// The sites in an order in which neighbours are near each other, a block at a time. In the plane that is their own. In
+/// space sites follow the curve several times; there cells that are made one after the other are near each other, and
+/// sites are sorted by the cells that they name as theirs.
+class SiteBlocks {
+ public:
+  explicit SiteBlocks(const AnyTriangulation& t) : t_(t), count_(t.sites().size()) {
+    if (t.affine_dimension() < 3) return;
+    std::vector<std::pair<Index, Index>> keyed;  // cell, site
+    keyed.reserve(t.sites().present_count());
+    for (std::size_t s = 0; s < t.sites().size(); ++s) {
+      const VertexId v{static_cast<Index>(s)};
+      if (!t.sites().is_empty(v)) keyed.emplace_back(raw(t.complex().incident_cell(v)), static_cast<Index>(s));
+    }
+    std::ranges::sort(keyed);
+    for (const auto& [cell, site] : keyed) sorted_.push_back(VertexId{site});
+    count_ = sorted_.size();
   }
-  if (!std::ranges::is_sorted(keyed)) std::ranges::sort(keyed);
-  std::vector<VertexId> sites;
-  sites.reserve(keyed.size());
-  for (const auto& [cell, site] : keyed) sites.push_back(VertexId{site});
-  return sites;
-}
+
+  std::size_t count() const { return count_; }
+  void read(std::size_t begin, std::size_t end, std::vector<VertexId>& sites) const {
+    sites.clear();
+    for (std::size_t s = begin; s < end; ++s) {
+      const VertexId v = sorted_.empty() ? VertexId{static_cast<Index>(s)} : sorted_[s];
+      if (!t_.sites().is_empty(v)) sites.push_back(v);
+    }
+  }
+
+ private:
+  const AnyTriangulation& t_;
+  std::size_t count_;
+  std::vector<VertexId> sorted_;
+};
 
 enum class Want { shapes, measures, both };
 
@@ -135,15 +149,17 @@ void produce(const AnyTriangulation& t, const Region& region, Want want, const C
     Worker(const AnyTriangulation& of, const Frame& in) : clipper(of, in) {}
     Clipper<D> clipper;
     Block block;
+    std::vector<VertexId> sites;
   };
   const Frame frame(region);
-  const std::vector<VertexId> sites = sites_along_cells(t);
+  const SiteBlocks sites(t);
   Pool<Worker> workers;
   const auto work = [&](std::size_t begin, std::size_t end, std::size_t number) {
     const ExactEnvironment environment;
     auto worker = workers.take([&] { return std::make_unique<Worker>(t, frame); });
     worker->block.clear();
-    worker->clipper.read(std::span(sites).subspan(begin, end - begin), worker->block);
+    sites.read(begin, end, worker->sites);
+    worker->clipper.read(worker->sites, worker->block);
     if (want != Want::shapes) {
       worker->block.measure(t, frame);
       worker->block.place_measures(frame);
@@ -152,7 +168,7 @@ void produce(const AnyTriangulation& t, const Region& region, Want want, const C
     sink(number, worker->block);
     workers.give(std::move(worker));
   };
-  for_chunks(sites.size(), options.threads, work, options.progress);
+  for_chunks(sites.count(), options.threads, work, options.progress);
 }
 
 template <class Sink>
@@ -166,7 +182,7 @@ void produce(const AnyTriangulation& t, const Region& region, Want want, const C
   }
 }
 
-std::size_t block_count(const AnyTriangulation& t) { return (t.sites().present_count() + kChunk - 1) / kChunk; }
+std::size_t block_count(const AnyTriangulation& t) { return (t.sites().size() + kChunk - 1) / kChunk; }
 
 template <class T>
 void append(std::vector<T>& to, const std::vector<T>& from, std::size_t begin, std::size_t end) {

@@ -60,8 +60,9 @@ CellShapes clipped_cells(const AnyTriangulation& t, const Region& region, const 
 /// @throws InputError unless t and the region have the same dimension, 2 or 3; Cancelled; std::bad_alloc
 CellMeasures measure_cells(const AnyTriangulation& t, const Region& region, const ClipOptions& options = {});
 
-/// The same a block of cells at a time, in the order in which sites lie in memory, so that no more than the
-/// triangulation and a block per thread is held. Rows without a cell come last. One call at a time.
+/// The same a block of some thousand cells at a time, in an order in which neighbours are near each other, so that in
+/// the plane no more than the triangulation and a block per thread is held; in space some 16 bytes a site and 4 a cell
+/// more. Removed rows are left out. One call at a time.
 /// @param visit  shapes and measures of the same cells
 using VisitCells = std::function<void(const CellShapes& shapes, const CellMeasures& measures)>;
 void for_cells(const AnyTriangulation& t, const Region& region, const VisitCells& visit,
