@@ -10,6 +10,7 @@
 
 #include "base/chunks.hpp"
 #include "delone/base/arithmetic.hpp"
+#include "delone/base/buffer.hpp"
 #include "dual/clipper.hpp"
 #include "dual/measure.hpp"
 
@@ -204,49 +205,85 @@ void append_cell(CellShapes& to, const CellShapes& from, std::size_t cell) {
   }
 }
 
-/// Measures by row: of rows without a site nothing, at no place.
-CellMeasures measures_of_rows(int dimension, std::size_t rows) {
-  CellMeasures all;
-  all.dimension = dimension;
-  for (auto* numbers : {&all.volume, &all.surface, &all.boundary, &all.second_moment}) numbers->resize(rows);
-  all.centroid.resize(rows * static_cast<std::size_t>(dimension), std::numeric_limits<double>::quiet_NaN());
-  all.offsets.resize(rows + 1);
-  return all;
-}
-
-/// All but the neighbours of a block; offsets become counts, one place further on.
-void spread(const Block& block, CellMeasures& all) {
-  const auto d = static_cast<std::size_t>(all.dimension);
-  const CellMeasures& from = block.measures;
-  for (std::size_t cell = 0; cell < block.shapes.size(); ++cell) {
-    const Index row = block.shapes.rows[cell];
-    all.volume[row] = from.volume[cell];
-    all.surface[row] = from.surface[cell];
-    all.boundary[row] = from.boundary[cell];
-    all.second_moment[row] = from.second_moment[cell];
-    std::copy_n(from.centroid.begin() + static_cast<std::ptrdiff_t>(cell * d), d,
-                all.centroid.begin() + static_cast<std::ptrdiff_t>(row * d));
-    all.offsets[row + std::size_t{1}] = from.offsets[cell + 1] - from.offsets[cell];
-  }
-}
-
-/// What was found about the neighbours of a block.
-struct Neighbours {
-  std::vector<std::array<Index, 2>> doubtful;
-  std::vector<Index> rows;
-  std::vector<std::size_t> offsets;
-  std::vector<Index> neighbours;
-  std::vector<double> shared;
+/// What a cell measures, side by side in memory: rows are written in no order. Its surface is the boundary and what is
+/// shared.
+struct Line {
+  double volume = 0, boundary = 0, second_moment = 0;
+  std::array<double, 3> centroid;
+  std::size_t begin = 0, count = 0;  ///< of the neighbours
 };
 
-void spread(const Neighbours& from, CellMeasures& all) {
-  for (std::size_t cell = 0; cell < from.rows.size(); ++cell) {
-    const auto at = static_cast<std::ptrdiff_t>(all.offsets[from.rows[cell]]);
-    const auto begin = static_cast<std::ptrdiff_t>(from.offsets[cell]);
-    const auto end = static_cast<std::ptrdiff_t>(from.offsets[cell + 1]);
-    std::copy(from.neighbours.begin() + begin, from.neighbours.begin() + end, all.neighbours.begin() + at);
-    std::copy(from.shared.begin() + begin, from.shared.begin() + end, all.shared.begin() + at);
+/// The measures of blocks, until all are there.
+class Collected {
+ public:
+  explicit Collected(std::size_t rows) {
+    constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+    lines_.resize(rows, Line{.centroid = {kNowhere, kNowhere, kNowhere}});
   }
+
+  void add(const Block& block) {
+    const CellMeasures& from = block.measures;
+    const std::size_t begin = append(block);
+    const auto d = static_cast<std::size_t>(from.dimension);
+    for (std::size_t cell = 0; cell < block.shapes.size(); ++cell) {
+      Line& line = lines_[block.shapes.rows[cell]];
+      line.volume = from.volume[cell];
+      line.boundary = from.boundary[cell];
+      line.second_moment = from.second_moment[cell];
+      for (std::size_t axis = 0; axis < d; ++axis) line.centroid[axis] = from.centroid[cell * d + axis];
+      line.begin = begin + from.offsets[cell];
+      line.count = from.offsets[cell + 1] - from.offsets[cell];
+    }
+  }
+
+  /// Row by row.
+  CellMeasures measures(int dimension) const;
+  const std::vector<std::array<Index, 2>>& doubtful() const { return doubtful_; }
+
+ private:
+  /// Returns where the neighbours of the block begin.
+  std::size_t append(const Block& block) {
+    const std::lock_guard lock(mutex_);
+    const std::size_t begin = neighbours_.size();
+    std::ranges::copy(block.measures.neighbours, neighbours_.extend(block.measures.neighbours.size()));
+    std::ranges::copy(block.measures.shared, shared_.extend(block.measures.shared.size()));
+    doubtful_.insert(doubtful_.end(), block.doubtful.begin(), block.doubtful.end());
+    return begin;
+  }
+
+  Buffer<Line> lines_;
+  std::mutex mutex_;
+  Buffer<Index> neighbours_;
+  Buffer<double> shared_;
+  std::vector<std::array<Index, 2>> doubtful_;
+};
+
+CellMeasures Collected::measures(int dimension) const {
+  CellMeasures all;
+  all.dimension = dimension;
+  for (auto* numbers : {&all.volume, &all.surface, &all.boundary, &all.second_moment}) numbers->reserve(lines_.size());
+  all.centroid.reserve(lines_.size() * static_cast<std::size_t>(dimension));
+  all.offsets.reserve(lines_.size() + 1);
+  all.neighbours.reserve(neighbours_.size());
+  all.shared.reserve(neighbours_.size());
+  constexpr std::size_t kAhead = 16;
+  for (std::size_t row = 0; row < lines_.size(); ++row) {
+    const Line& soon = lines_[std::min(row + kAhead, lines_.size() - 1)];
+    __builtin_prefetch(neighbours_.data() + soon.begin);
+    __builtin_prefetch(shared_.data() + soon.begin);
+    const Line& line = lines_[row];
+    all.volume.push_back(line.volume);
+    all.boundary.push_back(line.boundary);
+    all.second_moment.push_back(line.second_moment);
+    all.centroid.insert(all.centroid.end(), line.centroid.begin(), line.centroid.begin() + dimension);
+    const Index* const neighbours = neighbours_.data() + line.begin;
+    const double* const shared = shared_.data() + line.begin;
+    all.surface.push_back(std::accumulate(shared, shared + line.count, line.boundary));
+    all.neighbours.insert(all.neighbours.end(), neighbours, neighbours + line.count);
+    all.shared.insert(all.shared.end(), shared, shared + line.count);
+    all.offsets.push_back(all.neighbours.size());
+  }
+  return all;
 }
 
 /// Where `row` says what it shares with `other`; nothing when it does not know of it.
@@ -309,18 +346,10 @@ CellShapes clipped_cells(const AnyTriangulation& t, const Region& region, const 
 }
 
 CellMeasures measure_cells(const AnyTriangulation& t, const Region& region, const ClipOptions& options) {
-  CellMeasures all = measures_of_rows(t.dimension(), t.row_count());
-  std::vector<Neighbours> found(block_count(t));
-  produce(t, region, Want::measures, options, [&](std::size_t number, const Block& block) {
-    spread(block, all);
-    found[number] = {block.doubtful, block.shapes.rows, block.measures.offsets, block.measures.neighbours,
-                     block.measures.shared};
-  });
-  std::partial_sum(all.offsets.begin(), all.offsets.end(), all.offsets.begin());
-  all.neighbours.resize(all.offsets.back());
-  all.shared.resize(all.offsets.back());
-  for (const Neighbours& block : found) spread(block, all);
-  for (const Neighbours& block : found) agree(block.doubtful, all);
+  Collected collected(t.row_count());
+  produce(t, region, Want::measures, options, [&](std::size_t, const Block& block) { collected.add(block); });
+  CellMeasures all = collected.measures(t.dimension());
+  agree(collected.doubtful(), all);
   drop_unshared(all);
   return all;
 }
