@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,10 @@ Ring ring_of(PointsView points, const ConvexHull& hull) {
   return ring;
 }
 
-/// The half-space of a face, by three of its corners that lie well apart; all of its corners are within.
-HalfSpace side_of(PointsView points, std::span<const Index> face, const Vector& inside) {
+/// The half-space that three corners of a face, which lie well apart, and all corners of the hull lie in. Where the
+/// three are nearly in line its direction is rounded, so that it may touch the hull elsewhere; it never cuts it.
+std::optional<HalfSpace> side_of(PointsView points, const ConvexHull& hull, std::span<const Index> face,
+                                 const Vector& inside) {
   const auto at = [&](Index row) { return Vector{points[row][0], points[row][1], points[row][2]}; };
   const Vector a = at(face[0]);
   const Vector b = at(face[face.size() / 3]);
@@ -40,8 +43,9 @@ HalfSpace side_of(PointsView points, std::span<const Index> face, const Vector& 
   HalfSpace side{cross(difference(b, a), difference(c, a)), -std::numeric_limits<double>::infinity()};
   if (dot(side.normal, difference(inside, a)) > 0) side.normal = {-side.normal[0], -side.normal[1], -side.normal[2]};
   const double length = std::hypot(side.normal[0], side.normal[1], side.normal[2]);
+  if (!(length > 0)) return std::nullopt;
   for (double& x : side.normal) x /= length;
-  for (const Index row : face) side.offset = std::max(side.offset, dot(side.normal, at(row)));
+  for (const Index row : hull.corners) side.offset = std::max(side.offset, dot(side.normal, at(row)));
   return side;
 }
 
@@ -89,8 +93,9 @@ Region hull_region(PointsView points, const HullOptions& options) {
   if (dimension == 2) return Region::polygon({ring_of(points, hull)});
   const Vector inside = mean(points, hull.corners);
   std::vector<HalfSpace> sides;
-  for (std::size_t face = 0; face < hull.faces.size(); ++face)
-    sides.push_back(side_of(points, hull.faces[face], inside));
+  for (std::size_t face = 0; face < hull.faces.size(); ++face) {
+    if (const auto side = side_of(points, hull, hull.faces[face], inside)) sides.push_back(*side);
+  }
   return Region::half_spaces(3, std::move(sides));
 }
 

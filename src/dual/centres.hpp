@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "delone/geometry/kernel.hpp"
@@ -92,21 +93,21 @@ class Centres {
     // Nothing may overflow, and what underflows must be far below.
     const double tolerance = std::min(0x1p-43 * reach, 0x1p-47 * frame_.radius * frame_.unit);
     const bool good =
-        reach < 0x1p300 && reach > 0x1p-200 && solution.doubled > solution.doubt &&
+        reach < 0x1p300 && reach > 0x1p-200 && solution.doubled > 0x1p-900 && solution.doubled > solution.doubt &&
         kRoundings * solution.terms + reach * solution.doubt < tolerance * (solution.doubled - solution.doubt);
-    if (!good) {
-      const Vector exact = power_centre_offset(sites_, v);
-      for (std::size_t j = 0; j < kAxes; ++j) {
-        solution.offset[j] = exact[j];
-        reach = std::max(reach, std::abs(exact[j]));
-      }
-    }
-    const double error = 0x1p-41 * frame_.scaled(reach) + 0x1p-50 * extent_;
-    Centre centre{{}, static_cast<float>(error), true, true};
+    const bool far = frame_.scaled(reach) > 64 * frame_.radius;  // then the offset has fewer digits than the place
+    Vector exact{};
+    if (!good) exact = far ? power_centre(sites_, v) : power_centre_offset(sites_, v);
+    Centre centre{{}, 0, true, true};
     for (std::size_t j = 0; j < kAxes; ++j) {
-      centre.at[j] = frame_.scaled((origin[j] - frame_.middle[j]) + solution.offset[j]);
+      const double offset = good ? solution.offset[j] : exact[j];
+      reach = std::max(reach, std::abs(offset));
+      centre.at[j] =
+          frame_.scaled(!good && far ? exact[j] - frame_.middle[j] : (origin[j] - frame_.middle[j]) + offset);
       centre.near &= std::abs(centre.at[j]) <= 64 * frame_.radius;
     }
+    const double error = 0x1p-41 * frame_.scaled(reach) + 0x1p-50 * extent_;
+    centre.error = std::max(static_cast<float>(error), std::numeric_limits<float>::min());
     for (const Plane& side : frame_.sides) centre.within &= dot(side.normal, centre.at) <= side.offset;
     return centre;
   }

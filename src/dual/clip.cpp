@@ -295,7 +295,8 @@ double* shared_with(CellMeasures& all, Index row, Index other) {
                                          : &all.shared[static_cast<std::size_t>(found - all.neighbours.begin())];
 }
 
-/// What two cells share is what the lower row says; nothing when one of them does not know of it.
+/// What two cells share is what the lower row says. What only one of them knows of is the boundary of the region, which
+/// ends where a bisector runs.
 void agree(const std::vector<std::array<Index, 2>>& doubtful, CellMeasures& all) {
   for (const auto& [a, b] : doubtful) {
     double* const low = shared_with(all, std::min(a, b), std::max(a, b));
@@ -303,7 +304,8 @@ void agree(const std::vector<std::array<Index, 2>>& doubtful, CellMeasures& all)
     if (low != nullptr && high != nullptr) {
       *high = *low;
     } else if (low != nullptr || high != nullptr) {
-      *(low != nullptr ? low : high) = 0;
+      all.boundary[low != nullptr ? std::min(a, b) : std::max(a, b)] +=
+          std::exchange(*(low != nullptr ? low : high), 0.0);
     }
   }
 }
@@ -374,8 +376,8 @@ CellShapes cut_cells(PointsView points, const Region& region, const std::vector<
   writer.begin(shapes);
   for (std::size_t cell = 0; cell + 1 < offsets.size(); ++cell) {
     tell(options.progress, cell, offsets.size());
-    const auto eye = offsets[cell] < offsets[cell + 1] ? points[cuts[offsets[cell]].near] : std::span<const double>();
-    writer.look_from(eye);
+    const bool whole = offsets[cell] == offsets[cell + 1];
+    const auto eye = writer.look_from(whole ? std::span<const double>() : points[cuts[offsets[cell]].near]);
     planes.clear();
     for (std::size_t i = offsets[cell]; i < offsets[cell + 1]; ++i)
       planes.push_back(dual_detail::bisector(points[cuts[i].near], points.weight(cuts[i].near), points[cuts[i].far],

@@ -5,12 +5,14 @@
 #include <limits>
 #include <utility>
 
+#include "delone/exact/double_double.hpp"
+
 namespace delone::dual_detail {
 namespace {
 
 constexpr Index kWindow = kNone - 1;  // beyond an edge of the window around some cells
 
-/// Does the loop go around x? Rounded: pieces and their holes lie apart.
+/// Does the loop go around x? Rounded.
 bool goes_around(std::span<const Corner> loop, const std::array<double, 2>& x) {
   bool inside = false;
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -33,12 +35,16 @@ bool is_near(const StarCell& c) { return c.ghost || c.centre.near; }
 
 Plane bisector(std::span<const double> near, double near_weight, std::span<const double> far, double far_weight,
                const Frame& frame, std::span<const double> eye, Index across) {
-  Plane plane{{}, frame.scaled(frame.scaled(near_weight / 2 - far_weight / 2)), across};
+  // In double-doubles: of sites far away large terms cancel.
+  DoubleDouble offset = DoubleDouble::difference(near_weight / 2, far_weight / 2);
+  Plane plane{{}, 0, across};
   for (std::size_t axis = 0; axis < near.size(); ++axis) {
     plane.normal[axis] = frame.scaled(far[axis] - near[axis]);
-    plane.offset +=
-        plane.normal[axis] * (0.5 * (frame.scaled(near[axis] - eye[axis]) + frame.scaled(far[axis] - eye[axis])));
+    const DoubleDouble middle = DoubleDouble::difference(near[axis] / 2, eye[axis] / 2) +
+                                DoubleDouble::difference(far[axis] / 2, eye[axis] / 2);
+    offset = offset + DoubleDouble::difference(far[axis], near[axis]) * middle;
   }
+  plane.offset = frame.scaled(frame.scaled(offset.high()));
   return plane;
 }
 
@@ -69,15 +75,15 @@ void CellWriter::add(const Loops& loops) {
   if (loops.ends.size() == 1) return add_without_short_edges(loop(0));
   std::vector<double> area(loops.ends.size());
   for (std::size_t l = 0; l < area.size(); ++l) area[l] = doubled_area(loop(l).data(), loop(l).data() + loop(l).size());
+  // The smallest piece around a hole; where rounding hides it, the largest piece.
   const auto piece_of = [&](std::size_t hole) {
-    std::size_t best = area.size();
+    std::size_t best = static_cast<std::size_t>(std::ranges::max_element(area) - area.begin());
     for (std::size_t l = 0; l < area.size(); ++l) {
-      if (area[l] > 0 && (best == area.size() || area[l] < area[best]) && goes_around(loop(l), loop(hole)[0].at))
-        best = l;
+      if (area[l] > 0 && area[l] <= area[best] && goes_around(loop(l), loop(hole)[0].at)) best = l;
     }
     return best;
   };
-  std::vector<std::size_t> piece(area.size(), area.size());
+  std::vector<std::size_t> piece(area.size());
   for (std::size_t l = 0; l < area.size(); ++l) {
     if (area[l] < 0) piece[l] = piece_of(l);
   }
@@ -112,9 +118,12 @@ void CellWriter::add_cut_face(const Polygon3& face, Index across, std::span<cons
   add_face(cutter_.end(kNarrow * frame_.radius), across);
 }
 
-void CellWriter::look_from(std::span<const double> eye) {
+std::span<const double> CellWriter::look_from(std::span<const double> site) {
   eye_ = {};
-  for (std::size_t axis = 0; axis < eye.size(); ++axis) eye_[axis] = frame_.seen(eye[axis], axis);
+  for (std::size_t axis = 0; axis < site.size(); ++axis) eye_[axis] = frame_.seen(site[axis], axis);
+  if (dot(eye_, eye_) <= 256 * frame_.radius * frame_.radius) return site;
+  eye_ = {};
+  return std::span(frame_.middle).first(static_cast<std::size_t>(frame_.dimension));
 }
 
 Loops CellWriter::seen_from_eye(Loops loops) const {
@@ -127,10 +136,21 @@ void CellWriter::add_seen_from_eye(Loops loops) {
   if (!loops.empty()) add(loops);
 }
 
+/// What is as flat as rounding is nothing: a bisector runs along a side of the region.
 void CellWriter::add_cut_region(std::span<const Plane> cuts) {
   polytope_ = frame_.polytope;
   polytope_.move(-1.0 * eye_);
   for (const Plane& cut : cuts) polytope_.cut(cut);
+  if (polytope_.empty()) return;
+  const Point3 apex = polytope_.corner(0);
+  double volume = 0, surface = 0;
+  for (const Polytope::Face& face : polytope_.faces()) {
+    const Polygon3 polygon = polytope_.polygon(face);
+    const Point3 area = doubled_area(polygon);
+    surface += std::sqrt(dot(area, area)) / 2;
+    volume += dot(area, polygon[0] - apex) / 6;
+  }
+  if (volume <= kNarrow * frame_.radius * surface) return;
   polytope_.move(eye_);
   for (const Polytope::Face& face : polytope_.faces()) add_cut_face(polytope_.polygon(face), face.across, {});
 }
@@ -142,11 +162,9 @@ std::array<double, Clipper<D>::kAxes> Clipper<D>::place(VertexId v) const {
   return x;
 }
 
-/// Seen from v.
 template <int D>
-Plane Clipper<D>::bisector_of(VertexId v, VertexId u) const {
-  const auto near = place(v);
-  return bisector(near, t_.sites().weight(v), place(u), t_.sites().weight(u), frame_, near, t_.sites().row(u));
+Plane Clipper<D>::bisector_of(VertexId v, VertexId u, std::span<const double> eye) const {
+  return bisector(place(v), t_.sites().weight(v), place(u), t_.sites().weight(u), frame_, eye, t_.sites().row(u));
 }
 
 template <int D>
@@ -296,6 +314,9 @@ void Clipper<D>::write_planar(const PlanarCell& cell) {
   const auto corners = std::span(corners_).subspan(cell.begin, cell.end - cell.begin);
   if (!cell.placed) return cut_region(cell, frame_.loops);
   if (cell.within) return writer_.add(corners);
+  for (const Corner& corner : corners) {
+    if (corner.across != kWindow) block_->doubtful.push_back({t_.sites().row(cell.site), corner.across});
+  }
   Loops loops{{corners.begin(), corners.end()}, {corners.size()}};
   for (const Plane& side : frame_.sides) cutter_.cut(loops, {{side.normal[0], side.normal[1]}, side.offset}, kNone);
   if (!loops.empty()) writer_.add(loops);
@@ -351,11 +372,12 @@ void Clipper<D>::divide(std::span<const PlanarCell> cells, Loops region) {
 
 template <int D>
 void Clipper<D>::cut_region(const PlanarCell& cell, const Loops& region) {
-  writer_.look_from(place(cell.site));
+  const auto site = place(cell.site);
+  const auto eye = writer_.look_from(site);
   Loops left = writer_.seen_from_eye(region);
   for (std::size_t i = cell.begin; i < cell.end; ++i) {
     if (corners_[i].across == kWindow) continue;
-    const Plane plane = bisector_of(cell.site, t_.vertex(corners_[i].across));
+    const Plane plane = bisector_of(cell.site, t_.vertex(corners_[i].across), eye);
     block_->doubtful.push_back({t_.sites().row(cell.site), plane.across});
     cutter_.cut(left, {{plane.normal[0], plane.normal[1]}, plane.offset}, plane.across);
   }
@@ -374,40 +396,65 @@ void Clipper<D>::write_spatial(VertexId v) {
     }
     return;
   }
-  planes_.clear();
-  for (const Facet& facet : star_.facets) planes_.push_back(bisector_of(v, facet.neighbour));
-  if (full_ && std::ranges::all_of(star_.cells, is_near)) return write_placed(v);
-  for (const Plane& plane : planes_) block_->doubtful.push_back({t_.sites().row(v), plane.across});
-  writer_.look_from(place(v));
+  for (const Facet& facet : star_.facets)
+    block_->doubtful.push_back({t_.sites().row(v), t_.sites().row(facet.neighbour)});
+  if (full_ && std::ranges::all_of(star_.cells, is_near) && !lies_on_side(v)) return write_placed(v);
+  const auto site = place(v);
+  read_planes(v, writer_.look_from(site));
   writer_.add_cut_region(planes_);
 }
 
+/// The bisectors with all neighbours, seen from an eye.
+template <int D>
+void Clipper<D>::read_planes(VertexId v, std::span<const double> eye) {
+  planes_.clear();
+  for (const Facet& facet : star_.facets) planes_.push_back(bisector_of(v, facet.neighbour, eye));
+}
+
+/// Calls f(number) for the facets in turn, with polygon_ as that facet.
+template <int D>
+template <class F>
+void Clipper<D>::for_facets(VertexId v, const F& f) {
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < star_.facets.size(); ++i) {
+    read_facet(begin, star_.facets[i].end, bisector_of(v, star_.facets[i].neighbour, place(v)).normal);
+    begin = star_.facets[i].end;
+    f(i);
+  }
+}
+
+/// Does a facet of the cell lie on a side of the region, up to rounding? Then neither can tell which of them it is.
+template <int D>
+bool Clipper<D>::lies_on_side(VertexId v) {
+  bool found = false;
+  for_facets(v, [&](std::size_t) {
+    for (const Plane& side : frame_.sides) {
+      const auto is_on = [&](const Point3& x) {
+        return std::abs(dot(side.normal, x) - side.offset) < 0x1p-44 * frame_.radius;
+      };
+      found = found || std::ranges::all_of(polygon_, is_on);
+    }
+  });
+  return found;
+}
+
 /// Faces from centres; where one reaches over sides of the region it is cut by them, and so are the faces of the region
-/// on these sides by the cell.
+/// on these sides by the cell. A cell without end may reach over sides that none of its facets does.
 template <int D>
 void Clipper<D>::write_placed(VertexId v) {
-  crossed_.assign(frame_.sides.size(), false);
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < planes_.size(); ++i) {
-    const std::size_t first = std::exchange(begin, star_.facets[i].end);
-    bool within = true;
-    for (std::size_t j = first; j < begin; ++j) within = within && is_within(star_.at(j));
-    if (within) {
-      writer_.add_face(star_, first, begin, planes_[i].across);
-      continue;
-    }
-    read_facet(first, begin, planes_[i].normal);
+  crossed_.assign(frame_.sides.size(), std::ranges::any_of(star_.cells, &StarCell::ghost));
+  for_facets(v, [&](std::size_t i) {
     sides_.clear();
     for (std::size_t side = 0; side < frame_.sides.size(); ++side) {
       if (!reaches_over(polygon_, frame_.sides[side])) continue;
       crossed_[side] = true;
       sides_.push_back(frame_.sides[side]);
     }
-    writer_.add_cut_face(polygon_, planes_[i].across, sides_);
-  }
-  // The bisectors as the frame sees them.
-  writer_.look_from(place(v));
-  for (Plane& plane : planes_) plane.offset += dot(plane.normal, writer_.eye());
+    const Index across = t_.sites().row(star_.facets[i].neighbour);
+    if (sides_.empty()) return writer_.add_face(polygon_, across);
+    writer_.add_cut_face(polygon_, across, sides_);
+  });
+  read_planes(v, std::span(frame_.middle).first(kAxes));
   for (std::size_t side = 0; side < frame_.sides.size(); ++side) {
     if (crossed_[side]) writer_.add_cut_face(frame_.faces[side], kNone, planes_);
   }

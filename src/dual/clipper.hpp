@@ -56,10 +56,9 @@ class CellWriter {
   /// What planes leave of it.
   void add_cut_face(const Polygon3& face, Index across, std::span<const Plane> cuts);
 
-  /// Cells cut out of the region, seen from an eye.
-  /// @param eye  its coordinates
-  void look_from(std::span<const double> eye);
-  const Point3& eye() const { return eye_; }  ///< as the frame sees it
+  /// Cells cut out of the region, seen from an eye: the site, or where that is far away the middle of the region, so
+  /// that all sites see the same. Returns the eye's coordinates.
+  std::span<const double> look_from(std::span<const double> site);
   Loops seen_from_eye(Loops loops) const;
   void add_seen_from_eye(Loops loops);
   /// In space: what planes leave of the region.
@@ -105,7 +104,7 @@ class Clipper {
 
   bool is_vertex(VertexId v) const { return t_.complex().incident_cell(v) != kNoCell; }
   std::array<double, kAxes> place(VertexId v) const;
-  Plane bisector_of(VertexId v, VertexId u) const;
+  Plane bisector_of(VertexId v, VertexId u, std::span<const double> eye) const;
   void end_cell(VertexId v);
   Point3 ray(CellId ghost) const;
   /// The run of ghosts in a ring as corners far outside: from the finite cell before to the one after them.
@@ -121,6 +120,10 @@ class Clipper {
   void cut_region(const PlanarCell& cell, const Loops& region);
 
   void write_spatial(VertexId v);
+  void read_planes(VertexId v, std::span<const double> eye);
+  template <class F>
+  void for_facets(VertexId v, const F& f);
+  bool lies_on_side(VertexId v);
   void write_placed(VertexId v);
 
   const AnyTriangulation& t_;

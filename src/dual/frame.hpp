@@ -1,5 +1,6 @@
 // How a region is seen while cells are cut: from the middle of its bounding box, in units that make it a few units
-// large. There coordinates keep most digits, and nothing overflows or underflows, whatever the units of the input.
+// large. There coordinates keep most digits, and nothing overflows or underflows, whatever the units of the input,
+// while sites are not astronomically far from the region.
 #pragma once
 
 #include <vector>

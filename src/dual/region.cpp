@@ -198,36 +198,61 @@ Region Region::box(std::span<const double> low, std::span<const double> high) {
   return region;
 }
 
-/// Cut out of boxes that grow until what is left does not reach their ends, then again out of one that fits, which
-/// keeps most digits.
+/// Cut out of boxes that grow, from the least offset on, until what is left does not reach their ends, then again out
+/// of one that fits: large boxes cost digits. In units that make offsets a few units large.
 Region Region::half_spaces(int dimension, std::vector<HalfSpace> half_spaces) {
   require_dimension(dimension);
   half_spaces = with_unit_normals(dimension, std::move(half_spaces));
   double scale = std::numeric_limits<double>::min();
   for (const HalfSpace& side : half_spaces) scale = std::max(scale, std::abs(side.offset));
+  const int power = std::ilogb(scale);
+  double least = 1;
+  for (HalfSpace& side : half_spaces) {
+    side.offset = std::ldexp(side.offset, -power);
+    if (side.offset != 0) least = std::min(least, std::abs(side.offset));
+  }
   const auto cube = [&](double half) {
     const double z = dimension == 3 ? half : 0;
     return cut_box(dimension, half_spaces, {-half, -half, -z}, {half, half, z});
   };
   Cut cut;
-  for (double half = 4 * scale;; half *= 16) {
-    if (half > 0x1p36 * scale) throw InputError("the half-spaces leave a region without end; add some that close it");
+  bool ends = false;
+  for (double half = 4 * std::max(least, 0x1p-60); half < 0x1p36 && !ends; half *= 16) {
     cut = cube(half);
-    if (cut.empty()) throw InputError("the half-spaces have no interior point in common");
-    if (std::max(largest(-1.0 * cut.low), largest(cut.high)) < half / 2) break;
+    ends = !cut.empty() && std::max(largest(-1.0 * cut.low), largest(cut.high)) < half / 2;
   }
+  if (cut.empty()) throw InputError("the half-spaces have no interior point in common");
+  if (!ends) throw InputError("the half-spaces leave a region without end, or nearly so; add some that close it");
   const Point3 margin = 0.125 * (cut.high - cut.low);
   cut = cut_box(dimension, half_spaces, cut.low - margin, cut.high + margin);  // the cube's middle is the origin
   if (cut.empty()) throw InputError("the half-spaces have no interior point in common");
   Region region;
   region.dimension_ = dimension;
   region.convex_ = true;
-  region.low_ = cut.seen.origin + cut.low;
-  region.high_ = cut.seen.origin + cut.high;
   region.seen_ = std::move(cut.seen);
   region.settle();
   if (!(region.measure_ > 0)) throw InputError("the half-spaces have no interior point in common");
+  region.low_ = region.seen_.origin + cut.low;
+  region.high_ = region.seen_.origin + cut.high;
+  region.enlarge(power);
   return region;
+}
+
+/// By a power of two.
+void Region::enlarge(int power) {
+  const auto times = [power](Point3& x) {
+    for (double& coordinate : x) coordinate = std::ldexp(coordinate, power);
+  };
+  for (Point3* x : {&low_, &high_, &seen_.origin}) times(*x);
+  for (HalfSpace& side : seen_.sides) side.offset = std::ldexp(side.offset, power);
+  for (auto& face : seen_.faces) std::ranges::for_each(face, times);
+  for (Ring& ring : seen_.rings) {
+    for (auto& [x, y] : ring) {
+      x = std::ldexp(x, power);
+      y = std::ldexp(y, power);
+    }
+  }
+  measure_ = std::ldexp(measure_, dimension_ * power);
 }
 
 Region Region::polygon(std::vector<Ring> rings) {

@@ -46,6 +46,21 @@ TEST(RegionAround, no_points_and_other_dimensions_are_refused) {
   EXPECT_THROW(region_around(Plane{{0, 0}, {NAN, 1}}), InputError);
 }
 
+/// Its faces are not quite flat, so its hull has facets of corners that are nearly in line.
+TEST(HullRegion, of_a_grid_on_a_turned_cube_is_the_cube) {
+  Space points;
+  for (int x = 0; x < 5; ++x) {
+    for (int y = 0; y < 5; ++y) {
+      for (int z = 0; z < 5; ++z) {
+        if (x % 4 != 0 && y % 4 != 0 && z % 4 != 0) continue;
+        const double a = x / 4.0, b = y / 4.0, c = z / 4.0;
+        points.push_back({(2 * a - b + 2 * c) / 3, (2 * a + 2 * b - c) / 3, (-a + 2 * b + 2 * c) / 3});
+      }
+    }
+  }
+  EXPECT_NEAR(hull_region(PointsView(points)).measure(), 1, 1e-12);
+}
+
 TEST(HullRegion, of_the_plane_has_the_corners_as_they_are) {
   const Region hull = hull_region(Plane{{1, 1}, {0, 0}, {0.1, 4}, {2, 0}, {4, 0}, {4, 4}, {4, 0}});
   ASSERT_EQ(hull.rings().size(), 1u);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "delone/build/build.hpp"
@@ -253,6 +254,70 @@ TEST(Cells, are_cut_into_pieces_by_a_region_that_is_not_convex) {
   EXPECT_EQ(cells.volume, (std::vector<double>{4, 4}));
   EXPECT_EQ(cells.shared, (std::vector<double>{2, 2}));
   EXPECT_EQ(cells.boundary, (std::vector<double>{10, 13}));
+}
+
+TEST(Cells, without_end_reach_over_sides_that_none_of_their_facets_does) {
+  for (const double height : {1.0, 10.0, 100.0}) {
+    test::PointSet points{"sharp", 3, {0, 0, height}};
+    for (int i = 0; i < 3; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 3;
+      points.coordinates.insert(points.coordinates.end(), {std::cos(angle), std::sin(angle), -height});
+    }
+    const std::vector<double> low{-1, -1, -1}, high{1, 1, 1};
+    expect_consistent(points, test::built(points), Region::box(low, high));
+  }
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const test::PointSet points = test::uniform(seed % 2 == 0 ? 3 : 2, 4 + seed % 3, seed);
+    for (const Region& region : regions_for(points.view())) expect_consistent(points, test::built(points), region);
+  }
+}
+
+TEST(Cells, whose_holes_touch_their_border_keep_them) {
+  const Ring square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  const test::PointSet one{"one", 2, {1, 1}};
+  EXPECT_DOUBLE_EQ(measure_cells(test::built(one), Region::polygon({square, {{4, 4}, {3, 2}, {2, 3}}})).volume[0],
+                   14.5);
+  const test::PointSet three{"three", 2, {-1, 0.1, 1, 0.1, 0, -50}};  // a bisector runs along the hole
+  const Region region = Region::polygon({{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, {{0, 1}, {0, 0}, {-1, 0}, {-1, 1}}});
+  EXPECT_DOUBLE_EQ(sum(measure_cells(test::built(three), region).volume), 15);
+}
+
+TEST(Cells, that_end_where_the_region_does_have_no_neighbour_there) {
+  for (const int d : {2, 3}) {
+    test::PointSet points{"grid", d, {}};
+    for (int i = 0; i < (d == 2 ? 36 : 216); ++i) {
+      for (int axis = 0, rest = i; axis < d; ++axis, rest /= 6) points.coordinates.push_back(rest % 6);
+    }
+    const AnyTriangulation t = test::built(points);
+    const std::vector<double> low(static_cast<std::size_t>(d), 0.5), high(static_cast<std::size_t>(d), 3.5);
+    const Region box = Region::box(low, high);  // three sites a side, bisectors along all sides
+    expect_consistent(points, t, box);
+    const CellMeasures cells = measure_cells(t, box);
+    EXPECT_NEAR(sum(cells.boundary), d == 2 ? 12 : 54, 1e-12);
+    EXPECT_EQ(cells.neighbours.size(), d == 2 ? 24U : 108U);
+  }
+}
+
+TEST(Cells, of_far_sites_sum_to_the_region) {
+  for (const int d : {2, 3}) {
+    for (const double far : {1e3, 1e6, 1e9}) {
+      test::PointSet points = test::uniform(d, 200, 3);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        double squared = 0;
+        for (int axis = 0; axis < d; ++axis) {
+          double& x = points.coordinates[i * static_cast<std::size_t>(d) + static_cast<std::size_t>(axis)];
+          x -= 0.5;
+          squared += x * x;
+        }
+        for (int axis = 0; axis < d; ++axis)
+          points.coordinates[i * static_cast<std::size_t>(d) + static_cast<std::size_t>(axis)] *=
+              far / std::sqrt(squared);
+      }
+      const std::vector<double> low(static_cast<std::size_t>(d), -1.0), high(static_cast<std::size_t>(d), 1.0);
+      const Region box = Region::box(low, high);
+      EXPECT_NEAR(sum(measure_cells(test::built(points), box).volume) / box.measure(), 1, 1e-11) << d << " " << far;
+    }
+  }
 }
 
 TEST(Cells, keep_holes_after_their_pieces) {

@@ -73,6 +73,30 @@ TEST(Region, half_spaces_that_touch_nothing_are_left_out) {
   EXPECT_EQ(region.rings()[0].size(), 4U);
 }
 
+TEST(Region, half_spaces_far_away_do_not_harm_the_others) {
+  for (const double far : {1e3, 2e15, 8e15, 1e16, 1e30}) {
+    std::vector<HalfSpace> sides;
+    for (int i = 0; i < 8; ++i) {
+      const double angle = 0.1 + i * std::numbers::pi / 4;
+      sides.push_back({{std::cos(angle), std::sin(angle), 0}, 1});
+    }
+    sides.push_back({{1, 0.3, 0}, far});
+    const Region octagon = Region::half_spaces(2, sides);
+    EXPECT_NEAR(octagon.measure(), 8 * std::tan(std::numbers::pi / 8), 1e-14) << far;
+    EXPECT_EQ(octagon.sides().size(), 8U);
+  }
+}
+
+TEST(Region, half_spaces_may_be_tiny_or_huge) {
+  for (const double unit : {1e-110, 1e110}) {
+    std::vector<HalfSpace> sides = cross_polytope(3, 0);
+    for (HalfSpace& side : sides) side.offset *= unit;
+    const Region octahedron = Region::half_spaces(3, sides);
+    EXPECT_DOUBLE_EQ(octahedron.high()[1], unit);
+    EXPECT_EQ(octahedron.faces().size(), 8U);
+  }
+}
+
 TEST(Region, half_spaces_that_leave_nothing_or_no_end_are_refused) {
   const auto refused = [](std::vector<HalfSpace> sides, const char* why) {
     EXPECT_THAT([&] { Region::half_spaces(2, sides); }, ThrowsMessage<InputError>(HasSubstr(why)));

@@ -56,13 +56,16 @@ struct ClipOptions {
 /// @throws InputError unless t and the region have the same dimension, 2 or 3; Cancelled; std::bad_alloc
 CellShapes clipped_cells(const AnyTriangulation& t, const Region& region, const ClipOptions& options = {});
 
-/// What they measure. Cells sum to the region: to some 1e-14 of it.
+/// What they measure. Cells sum to the region, to some 1e-14 of it; where all sites are 1e9 times as far away as it is
+/// large, to 1e-11. Of two cells both know what they share, or none.
 /// @throws InputError unless t and the region have the same dimension, 2 or 3; Cancelled; std::bad_alloc
 CellMeasures measure_cells(const AnyTriangulation& t, const Region& region, const ClipOptions& options = {});
 
-/// The same a block of some thousand cells at a time, in an order in which neighbours are near each other, so that in
-/// the plane no more than the triangulation and a block per thread is held; in space some 16 bytes a site and 4 a cell
-/// more. Removed rows are left out. One call at a time.
+/// Shapes and measures a block of some thousand cells at a time, in an order in which neighbours are near each other:
+/// in the plane no more than the triangulation and a block per thread is held; in space two ids and a pointer a site
+/// and 4 bytes a cell and thread more. Removed rows are left out. What measure_cells() settles between cells that were
+/// cut by themselves is left open: a border about as long as rounding may be known to one side only. One call at a
+/// time.
 /// @param visit  shapes and measures of the same cells
 using VisitCells = std::function<void(const CellShapes& shapes, const CellMeasures& measures)>;
 void for_cells(const AnyTriangulation& t, const Region& region, const VisitCells& visit,

@@ -59,6 +59,7 @@ class Region {
  private:
   Region() = default;
   void settle();
+  void enlarge(int power);
 
   int dimension_ = 2;
   bool convex_ = false;
