@@ -3,8 +3,6 @@
 //   bench_cells [--quick] [ROUNDS]
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -110,19 +108,8 @@ void run(bool quick, int rounds) {
       "| points | triangulation | cells | in blocks | cells by triangulation | sum of areas off by |\n"
       "| --- | --- | --- | --- | --- | --- |\n%s",
       in_space.c_str(), in_plane.c_str());
-  if (bench::disturbed > 0) std::printf("\n%d runs had to share their processor: measure again.\n", bench::disturbed);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    const bool quick = argc > 1 && argv[1] == std::string("--quick");
-    const int given = argc > (quick ? 2 : 1) ? std::atoi(argv[quick ? 2 : 1]) : 0;
-    run(quick, given > 0 ? given : (quick ? 1 : 5));
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "bench_cells: %s\n", error.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return bench::main_of("bench_cells", argc, argv, run); }

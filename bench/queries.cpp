@@ -2,8 +2,6 @@
 // process. Prints bench/QUERIES.md.
 //   bench_queries [--quick] [ROUNDS]
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <functional>
 #include <string>
 #include <utility>
@@ -127,19 +125,8 @@ void run(bool quick, int rounds) {
       "their order; nanoflann answers them one after the other. Given are the median and, in brackets, the least and\n"
       "the largest value; ratio: nanoflann's median by Delone's.\n");
   for (const int dimension : {2, 3}) report(dimension, quick ? 100000 : 1000000, rounds);
-  if (bench::disturbed > 0) std::printf("\n%d runs had to share their processor: measure again.\n", bench::disturbed);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    const bool quick = argc > 1 && argv[1] == std::string("--quick");
-    const int given = argc > (quick ? 2 : 1) ? std::atoi(argv[quick ? 2 : 1]) : 0;
-    run(quick, given > 0 ? given : (quick ? 1 : 5));
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "bench_queries: %s\n", error.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return bench::main_of("bench_queries", argc, argv, run); }

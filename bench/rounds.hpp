@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <functional>
 #include <random>
 #include <string>
@@ -48,6 +51,21 @@ inline std::string spread_text(const std::vector<double>& values, double scale, 
   const auto s = lab::spread(values);
   return number(s.median * scale, digits) + " (" + number(s.least * scale, digits) + "-" +
          number(s.most * scale, digits) + ")";
+}
+
+/// What a benchmark's main does: NAME [--quick] [ROUNDS], 5 rounds or with --quick one. run(quick, rounds)
+template <class Run>
+int main_of(const char* name, int argc, char** argv, const Run& run) {
+  try {
+    const bool quick = argc > 1 && argv[1] == std::string("--quick");
+    const int given = argc > (quick ? 2 : 1) ? std::atoi(argv[quick ? 2 : 1]) : 0;
+    run(quick, given > 0 ? given : (quick ? 1 : 5));
+    if (disturbed > 0) std::printf("\n%d runs had to share their processor: measure again.\n", disturbed);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", name, error.what());
+    return 1;
+  }
 }
 
 }  // namespace delone::bench

@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "dual/polytope.hpp"
+
 namespace delone {
 namespace {
 
-using Vector = std::array<double, 3>;
-
-Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
+using dual_detail::Point3;
+using dual_detail::operator-;
+using dual_detail::operator*;
+using dual_detail::cross;
+using dual_detail::dot;
 
 /// From corner to corner by the edges, each of which leads to the next one.
 Ring ring_of(PointsView points, const ConvexHull& hull) {
@@ -35,13 +35,13 @@ Ring ring_of(PointsView points, const ConvexHull& hull) {
 /// The half-space that three corners of a face, which lie well apart, and all corners of the hull lie in. Where the
 /// three are nearly in line its direction is rounded, so that it may touch the hull elsewhere; it never cuts it.
 std::optional<HalfSpace> side_of(PointsView points, const ConvexHull& hull, std::span<const Index> face,
-                                 const Vector& inside) {
-  const auto at = [&](Index row) { return Vector{points[row][0], points[row][1], points[row][2]}; };
-  const Vector a = at(face[0]);
-  const Vector b = at(face[face.size() / 3]);
-  const Vector c = at(face[face.size() * 2 / 3]);
-  HalfSpace side{cross(difference(b, a), difference(c, a)), -std::numeric_limits<double>::infinity()};
-  if (dot(side.normal, difference(inside, a)) > 0) side.normal = {-side.normal[0], -side.normal[1], -side.normal[2]};
+                                 const Point3& inside) {
+  const auto at = [&](Index row) { return Point3{points[row][0], points[row][1], points[row][2]}; };
+  const Point3 a = at(face[0]);
+  const Point3 b = at(face[face.size() / 3]);
+  const Point3 c = at(face[face.size() * 2 / 3]);
+  HalfSpace side{cross(b - a, c - a), -std::numeric_limits<double>::infinity()};
+  if (dot(side.normal, inside - a) > 0) side.normal = -1.0 * side.normal;
   const double length = std::hypot(side.normal[0], side.normal[1], side.normal[2]);
   if (!(length > 0)) return std::nullopt;
   for (double& x : side.normal) x /= length;
@@ -49,8 +49,8 @@ std::optional<HalfSpace> side_of(PointsView points, const ConvexHull& hull, std:
   return side;
 }
 
-Vector mean(PointsView points, std::span<const Index> rows) {
-  Vector sum{};
+Point3 mean(PointsView points, std::span<const Index> rows) {
+  Point3 sum{};
   for (const Index row : rows) {
     for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += points[row][axis] / static_cast<double>(rows.size());
   }
@@ -91,7 +91,7 @@ Region hull_region(PointsView points, const HullOptions& options) {
     throw InputError("the points span no " + std::string(dimension == 2 ? "area" : "volume") +
                      ": their hull cannot be a region");
   if (dimension == 2) return Region::polygon({ring_of(points, hull)});
-  const Vector inside = mean(points, hull.corners);
+  const Point3 inside = mean(points, hull.corners);
   std::vector<HalfSpace> sides;
   for (std::size_t face = 0; face < hull.faces.size(); ++face) {
     if (const auto side = side_of(points, hull, hull.faces[face], inside)) sides.push_back(*side);

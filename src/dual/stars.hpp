@@ -82,13 +82,9 @@ class StarReader {
   /// Are the duals of two neighbouring cells the same vertex, or the same ray? @param apex  of d, which c lacks
   [[gnu::always_inline]] bool coincide(const StarCell& c, const StarCell& d, VertexId apex) {
     if (c.ghost != d.ghost) return false;
-    if (!c.ghost) {
-      return centres_ != nullptr ? centres_->coincide(c.centre, d.centre, c.cell, apex)
-                                 : on_common_orthosphere<K>(kernel_, triangulation_.complex(), c.cell, apex);
-    }
-    typename Kernel<K>::Cell flat = complex_.vertices(c.cell);
-    flat[static_cast<std::size_t>(complex_.ghost_slot(c.cell))] = apex;
-    return kernel_.orient(flat) == 0;
+    if (c.ghost) return on_common_hyperplane<K>(kernel_, triangulation_.complex(), c.cell, apex);
+    return centres_ != nullptr ? centres_->coincide(c.centre, d.centre, c.cell, apex)
+                               : on_common_orthosphere<K>(kernel_, triangulation_.complex(), c.cell, apex);
   }
 
   void read_on_line(VertexId v, Star& star) {

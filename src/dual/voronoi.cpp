@@ -38,17 +38,6 @@ std::vector<VertexId> finite_vertices(const Complex& complex, CellId c) {
   return vertices;
 }
 
-/// Do two neighbouring ghost cells stand on one hyperplane? @param apex  the finite vertex of the other that c lacks
-template <int K>
-bool on_common_hyperplane(Kernel<K>& kernel, const Complex& complex, CellId c, VertexId apex) {
-  typename Kernel<K>::Cell flat;
-  for (int i = 0; i <= K; ++i) {
-    const VertexId v = complex.vertex(c, i);
-    flat[static_cast<std::size_t>(i)] = v == kGhost ? apex : v;
-  }
-  return kernel.orient(flat) == 0;
-}
-
 /// Cells with one centre in one group, and ghosts with one ray from it.
 template <int K>
 Groups groups_of(const AnyTriangulation& t) {
