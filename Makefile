@@ -29,8 +29,8 @@ demo: all
 test:
 	@scripts/setup build test
 	@$(call build,dev)
-	@$(call build,asan-ubsan,delone_tests)
-	@scripts/run_tests build-dev build-asan-ubsan:-L,fast
+	@$(call build,asan-ubsan-quick,delone_tests)
+	@scripts/run_tests build-dev build-asan-ubsan-quick:-L,fast
 
 sanitize:
 	@scripts/setup build test
