@@ -1,11 +1,8 @@
 #include "delone/base/buffer.hpp"
 
-#include <cstdint>
 #include <new>
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
+#include "base/huge_pages.hpp"
 
 namespace delone {
 
@@ -14,15 +11,7 @@ void* reallocate_block(void* block, std::size_t count, std::size_t element_size)
   const std::size_t bytes = count * element_size;
   void* moved = std::realloc(block, bytes);
   if (moved == nullptr) throw std::bad_alloc();
-#ifdef __linux__
-  constexpr std::size_t kHugePage = std::size_t{1} << 21;
-  const auto address = reinterpret_cast<std::uintptr_t>(moved);
-  const std::size_t skip = (kHugePage - address % kHugePage) % kHugePage;
-  if (bytes >= skip + kHugePage) {
-    // Advice only: where it is not taken, pages stay small.
-    madvise(static_cast<char*>(moved) + skip, (bytes - skip) / kHugePage * kHugePage, MADV_HUGEPAGE);
-  }
-#endif
+  ask_for_huge_pages(moved, bytes);
   return moved;
 }
 

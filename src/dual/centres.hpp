@@ -40,7 +40,7 @@ class Centres {
   /// of their cells.
   const Centre& operator[](CellId c) {
     Entry& entry = cache_[raw(c) % kCached];
-    if (entry.cell != c) entry = {c, computed(c)};
+    if (entry.cell != c) entry = {c, compute(c)};
     return entry.centre;
   }
 
@@ -50,35 +50,32 @@ class Centres {
   /// Have two neighbouring finite cells the same centre, exactly?
   /// @param a, b  their centres  @param c  one of the cells  @param apex  the vertex of the other that c lacks
   bool coincide(const Centre& a, const Centre& b, CellId c, VertexId apex) const {
+    return !differ(a, b) && on_common_orthosphere<K>(kernel_, complex_, c, apex);
+  }
+  /// Whether they surely are not the same.
+  static bool differ(const Centre& a, const Centre& b) {
     const float error = a.error + b.error;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      if (std::abs(a.at[axis] - b.at[axis]) > error) return false;
+      if (std::abs(a.at[axis] - b.at[axis]) > error) return true;
     }
-    return on_common_orthosphere<K>(kernel_, complex_, c, apex);
+    return false;
   }
-
- private:
-  static constexpr std::size_t kCached = 1 << 13;
-  struct Entry {
-    CellId cell = kNoCell;
-    Centre centre;
-  };
 
   /// By Cramer's rule from the differences d_i to the first corner: (c - p_0) = N / (2 det(d)). Every term of det and N
   /// passes at most 14 roundings (3 differences, a square and 3 sums of the lift, 2 products and 2 sums of the
   /// determinant, two of the quotient; 1 for the bound itself). Where that leaves open more than 2^-43 of the reach,
   /// which is the size of the cell and its offset, or 2^-47 of the region, the offset is computed anew, correctly
   /// rounded.
-  Centre computed(CellId c) const {
-    std::array<VertexId, kAxes + 1> v;
-    for (std::size_t i = 0; i <= kAxes; ++i) v[i] = complex_.vertex(c, static_cast<int>(i));
+  Centre compute(CellId c) const {
+    const std::array<VertexId, kAxes + 1> v = ConstComplexView<K>(complex_).vertices(c);
+    const double* const weights = sites_.weights();
     const double* origin = sites_.leading() + raw(v[0]) * kAxes;
     std::array<std::array<double, kAxes>, kAxes> d;
     std::array<double, kAxes> lift, size;
     double reach = 0;
     for (std::size_t i = 0; i < kAxes; ++i) {
       const double* p = sites_.leading() + raw(v[i + 1]) * kAxes;
-      const double w = sites_.weight(v[0]) - sites_.weight(v[i + 1]);
+      const double w = weights == nullptr ? 0 : weights[raw(v[0])] - weights[raw(v[i + 1])];
       lift[i] = w;
       size[i] = std::abs(w);
       for (std::size_t j = 0; j < kAxes; ++j) {
@@ -111,6 +108,13 @@ class Centres {
     for (const Plane& side : frame_.sides) centre.within &= dot(side.normal, centre.at) <= side.offset;
     return centre;
   }
+
+ private:
+  static constexpr std::size_t kCached = 1 << 13;
+  struct Entry {
+    CellId cell = kNoCell;
+    Centre centre;
+  };
 
   using Column = std::array<double, kAxes>;
   using Rows = std::array<Column, kAxes>;

@@ -147,7 +147,7 @@ void CellWriter::add_cut_region(std::span<const Plane> cuts) {
   for (const Polytope::Face& face : polytope_.faces()) {
     const Polygon3 polygon = polytope_.polygon(face);
     const Point3 area = doubled_area(polygon);
-    surface += std::sqrt(dot(area, area)) / 2;
+    surface += length(area) / 2;
     volume += dot(area, polygon[0] - apex) / 6;
   }
   if (volume <= kNarrow * frame_.radius * surface) return;
@@ -165,6 +165,15 @@ std::array<double, Clipper<D>::kAxes> Clipper<D>::place(VertexId v) const {
 template <int D>
 Plane Clipper<D>::bisector_of(VertexId v, VertexId u, std::span<const double> eye) const {
   return bisector(place(v), t_.sites().weight(v), place(u), t_.sites().weight(u), frame_, eye, t_.sites().row(u));
+}
+
+/// The direction to a neighbour. In the plane it is not asked for.
+template <int D>
+Point3 Clipper<D>::outward(VertexId v, VertexId neighbour) const {
+  Point3 normal{};
+  for (std::size_t axis = 0; axis < kAxes; ++axis)
+    normal[axis] = frame_.scaled(place(neighbour)[axis] - place(v)[axis]);
+  return normal;
 }
 
 template <int D>
@@ -210,15 +219,15 @@ void Clipper<D>::add_far_corners(const Point3& a, CellId first, CellId last, con
   const Point3 to = ray(last);
   polygon_.push_back(a + far * from);
   if (dot(from, to) < 0) {
-    const Point3 quarter = 1 / std::sqrt(dot(axis, axis)) * cross(axis, from);
+    const Point3 quarter = 1 / length(axis) * cross(axis, from);
     polygon_.push_back(0.5 * (a + b) + far * quarter);
   }
   polygon_.push_back(b + far * to);
 }
 
-/// The corners of a facet of a cell in space, the run begin to end of its ring, counter-clockwise about the axis.
+/// The corners of a facet of the cell of v in space, the run begin to end of its ring, counter-clockwise from outside.
 template <int D>
-void Clipper<D>::read_facet(std::size_t begin, std::size_t end, const Point3& axis) {
+void Clipper<D>::read_facet(VertexId v, VertexId neighbour, std::size_t begin, std::size_t end) {
   polygon_.clear();
   const auto next = [&](std::size_t i) { return i + 1 == end ? begin : i + 1; };
   for (std::size_t i = begin; i < end; ++i) {
@@ -228,7 +237,8 @@ void Clipper<D>::read_facet(std::size_t begin, std::size_t end, const Point3& ax
       polygon_.push_back(c.centre.at);
     } else if (!before.ghost) {
       const std::size_t last = star_.at(next(i)).ghost ? next(i) : i;
-      add_far_corners(before.centre.at, c.cell, star_.at(last).cell, star_.at(next(last)).centre.at, axis);
+      add_far_corners(before.centre.at, c.cell, star_.at(last).cell, star_.at(next(last)).centre.at,
+                      outward(v, neighbour));
     }
   }
 }
@@ -396,9 +406,9 @@ void Clipper<D>::write_spatial(VertexId v) {
     }
     return;
   }
+  if (full_ && std::ranges::all_of(star_.cells, is_near) && !lies_on_side(v)) return write_placed(v);
   for (const Facet& facet : star_.facets)
     block_->doubtful.push_back({t_.sites().row(v), t_.sites().row(facet.neighbour)});
-  if (full_ && std::ranges::all_of(star_.cells, is_near) && !lies_on_side(v)) return write_placed(v);
   const auto site = place(v);
   read_planes(v, writer_.look_from(site));
   writer_.add_cut_region(planes_);
@@ -417,7 +427,7 @@ template <class F>
 void Clipper<D>::for_facets(VertexId v, const F& f) {
   std::size_t begin = 0;
   for (std::size_t i = 0; i < star_.facets.size(); ++i) {
-    read_facet(begin, star_.facets[i].end, bisector_of(v, star_.facets[i].neighbour, place(v)).normal);
+    read_facet(v, star_.facets[i].neighbour, begin, star_.facets[i].end);
     begin = star_.facets[i].end;
     f(i);
   }
@@ -452,6 +462,7 @@ void Clipper<D>::write_placed(VertexId v) {
     }
     const Index across = t_.sites().row(star_.facets[i].neighbour);
     if (sides_.empty()) return writer_.add_face(polygon_, across);
+    block_->doubtful.push_back({t_.sites().row(v), across});
     writer_.add_cut_face(polygon_, across, sides_);
   });
   read_planes(v, std::span(frame_.middle).first(kAxes));

@@ -105,11 +105,12 @@ class Clipper {
   bool is_vertex(VertexId v) const { return t_.complex().incident_cell(v) != kNoCell; }
   std::array<double, kAxes> place(VertexId v) const;
   Plane bisector_of(VertexId v, VertexId u, std::span<const double> eye) const;
+  Point3 outward(VertexId v, VertexId neighbour) const;
   void end_cell(VertexId v);
   Point3 ray(CellId ghost) const;
   /// The run of ghosts in a ring as corners far outside: from the finite cell before to the one after them.
   void add_far_corners(const Point3& before, CellId first, CellId last, const Point3& after, const Point3& axis);
-  void read_facet(std::size_t begin, std::size_t end, const Point3& axis);
+  void read_facet(VertexId v, VertexId neighbour, std::size_t begin, std::size_t end);
 
   void planar_block(std::span<const VertexId> sites);
   bool read_far_corners(std::size_t i);

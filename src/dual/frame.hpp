@@ -18,6 +18,11 @@ struct Frame {
   double seen(double x, std::size_t axis) const { return scaled(x - middle[axis]); }
   double scaled(double difference) const { return difference * scale; }
   double placed(double x, std::size_t axis) const { return x * unit + middle[axis]; }
+  /// A length, an area and so on, as large as it is. One power after the other, so that nothing overflows on the way.
+  double enlarged(double x, int power) const {
+    for (int i = 0; i < power; ++i) x *= unit;
+    return x;
+  }
 
   int dimension;
   Point3 middle;

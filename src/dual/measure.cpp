@@ -7,41 +7,18 @@
 #include <utility>
 #include <vector>
 
-#include "dual/polytope.hpp"
-
 namespace delone::dual_detail {
 namespace {
-
-double length(const Point3& a) { return std::sqrt(dot(a, a)); }
-
-/// Sums over simplices that have one corner in the origin.
-struct Moments {
-  double volume = 0, second = 0;
-  Point3 first{};
-
-  /// @param simplex  its volume times D!, signed  @param sum  of its other corners  @param squares  of their lengths
-  void add(double simplex, const Point3& sum, double squares) {
-    volume += simplex;
-    first = first + simplex * sum;
-    second += simplex * (squares + dot(sum, sum));
-  }
-  /// When all simplices are added.
-  template <int D>
-  void scale() {
-    constexpr double kParts = D == 2 ? 2 : 6;
-    volume /= kParts;
-    first = 1 / (kParts * (D + 1)) * first;
-    second /= kParts * (D + 1) * (D + 2);
-  }
-};
 
 template <int D>
 class Measurer {
  public:
   Measurer(const CellShapes& shapes, CellMeasures& measures) : shapes_(shapes), measures_(measures) {}
 
-  void add(std::size_t cell, const Point3& site) {
-    Moments moments;
+  void add(std::size_t cell, const Point3& at) {
+    Place site;
+    std::copy_n(at.begin(), D, site.begin());
+    moments_ = {};
     shared_.clear();
     surface_ = boundary_ = 0;
     apex_ = {};
@@ -49,31 +26,28 @@ class Measurer {
       apex_ = corner(shapes_.loops[shapes_.cells[cell]]);
       for (std::size_t l = shapes_.cells[cell]; l < shapes_.cells[cell + 1]; ++l) {
         if constexpr (D == 2) {
-          add_loop(l, moments);
+          add_loop(l);
         } else {
-          add_face(l, moments);
+          add_face(l);
         }
       }
     }
-    moments.scale<D>();
-    measures_.volume.push_back(moments.volume);
+    measures_.volume.push_back(moments_.volume);
     measures_.surface.push_back(surface_);
     measures_.boundary.push_back(boundary_);
-    const Point3 shift = apex_ - site;
-    measures_.second_moment.push_back(moments.second + 2 * dot(shift, moments.first) +
-                                      dot(shift, shift) * moments.volume);
-    for (std::size_t axis = 0; axis < D; ++axis)
-      measures_.centroid.push_back(moments.volume > 0 ? apex_[axis] + moments.first[axis] / moments.volume
-                                                      : site[axis]);
+    measures_.second_moment.push_back(moments_.second_about(apex_, site));
+    for (const double x : moments_.centroid(apex_, site)) measures_.centroid.push_back(x);
     add_neighbours();
   }
 
  private:
+  using Place = typename Moments<D>::Place;
+
   /// Seen from the apex.
-  Point3 corner(std::size_t i) const {
-    Point3 x{};
-    for (std::size_t axis = 0; axis < D; ++axis) x[axis] = shapes_.corners[i * D + axis] - apex_[axis];
-    return x;
+  Place corner(std::size_t i) const {
+    Place x;
+    std::copy_n(shapes_.corners.begin() + static_cast<std::ptrdiff_t>(i * D), D, x.begin());
+    return x - apex_;
   }
 
   void share(Index across, double size) {
@@ -85,37 +59,37 @@ class Measurer {
     }
   }
 
-  void add_loop(std::size_t l, Moments& moments) {
+  void add_loop(std::size_t l) {
     const std::size_t begin = shapes_.loops[l];
     const std::size_t end = shapes_.loops[l + 1];
     Index across = shapes_.across[end - 1];
-    Point3 a = corner(end - 1);
+    Place a = corner(end - 1);
     double a_squared = dot(a, a);
     for (std::size_t i = begin; i < end; ++i) {
-      const Point3 b = corner(i);
-      const Point3 edge = b - a;
+      const Place b = corner(i);
+      const Place edge = b - a;
       share(across, length(edge));
-      const double squared = dot(b, b);
-      moments.add(a[0] * edge[1] - a[1] * edge[0], a + b, a_squared + squared);
+      const double b_squared = dot(b, b);
+      moments_.add_simplex(a[0] * edge[1] - a[1] * edge[0], a + b, a_squared + b_squared);
       across = shapes_.across[i];
       a = b;
-      a_squared = squared;
+      a_squared = b_squared;
     }
   }
 
-  void add_face(std::size_t l, Moments& moments) {
+  void add_face(std::size_t l) {
     const std::size_t begin = shapes_.loops[l];
-    const Point3 a = corner(begin);
+    const Place a = corner(begin);
     const double a_squared = dot(a, a);
-    Point3 area{};
-    Point3 b = corner(begin + 1);
+    Place area{};
+    Place b = corner(begin + 1);
     double b_squared = dot(b, b);
     for (std::size_t i = begin + 2; i < shapes_.loops[l + 1]; ++i) {
-      const Point3 c = corner(i);
+      const Place c = corner(i);
       const double c_squared = dot(c, c);
-      const Point3 triangle = cross(b - a, c - b);
+      const Place triangle = cross(b - a, c - b);
       area = area + triangle;
-      moments.add(dot(a, triangle), a + b + c, a_squared + b_squared + c_squared);
+      moments_.add_simplex(dot(a, triangle), a + b + c, a_squared + b_squared + c_squared);
       b = c;
       b_squared = c_squared;
     }
@@ -139,7 +113,8 @@ class Measurer {
   const CellShapes& shapes_;
   CellMeasures& measures_;
   std::vector<std::pair<Index, double>> shared_;
-  Point3 apex_{};  ///< the first corner of the cell
+  Place apex_{};  ///< the first corner of the cell
+  Moments<D> moments_;
   double surface_ = 0, boundary_ = 0;
 };
 

@@ -36,14 +36,14 @@ const Polygon3& FaceCutter::end(double narrow) {
   next_.clear();
   for (std::size_t i = 0; i < polygon_.size(); ++i) {
     const Point3 edge = polygon_[i + 1 == polygon_.size() ? 0 : i + 1] - polygon_[i];
-    const double length = std::sqrt(dot(edge, edge));
-    around += length;
-    if (length > narrow) next_.push_back(polygon_[i]);
+    const double along = length(edge);
+    around += along;
+    if (along > narrow) next_.push_back(polygon_[i]);
   }
   if (next_.size() >= 3) polygon_.swap(next_);
   if (polygon_.size() >= 3) {
     const Point3 area = doubled_area(polygon_);
-    if (std::sqrt(dot(area, area)) > narrow * around) return polygon_;
+    if (length(area) > narrow * around) return polygon_;
   }
   polygon_.clear();
   return polygon_;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -80,10 +81,34 @@ class FaceCutter {
   std::vector<double> side_;
 };
 
-inline Point3 operator-(const Point3& a, const Point3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-inline Point3 operator+(const Point3& a, const Point3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-inline Point3 operator*(double s, const Point3& a) { return {s * a[0], s * a[1], s * a[2]}; }
-inline double dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+template <std::size_t N>
+std::array<double, N> operator-(const std::array<double, N>& a, const std::array<double, N>& b) {
+  std::array<double, N> c;
+  for (std::size_t i = 0; i < N; ++i) c[i] = a[i] - b[i];
+  return c;
+}
+template <std::size_t N>
+std::array<double, N> operator+(const std::array<double, N>& a, const std::array<double, N>& b) {
+  std::array<double, N> c;
+  for (std::size_t i = 0; i < N; ++i) c[i] = a[i] + b[i];
+  return c;
+}
+template <std::size_t N>
+std::array<double, N> operator*(double s, const std::array<double, N>& a) {
+  std::array<double, N> c;
+  for (std::size_t i = 0; i < N; ++i) c[i] = s * a[i];
+  return c;
+}
+template <std::size_t N>
+double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
+  double sum = a[0] * b[0];
+  for (std::size_t i = 1; i < N; ++i) sum += a[i] * b[i];
+  return sum;
+}
+template <std::size_t N>
+double length(const std::array<double, N>& a) {
+  return std::sqrt(dot(a, a));
+}
 inline Point3 cross(const Point3& a, const Point3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

@@ -148,6 +148,60 @@ TEST(Cells, measure_as_what_all_bisectors_leave) {
   }
 }
 
+/// What hyperplanes leave of a box around points, so many that they do not fit into a word of bits.
+Region cut_by_many(PointsView points) {
+  const Region box = box_around(points, 0.1);
+  std::vector<HalfSpace> sides = box.sides();
+  std::array<double, 3> middle{};
+  double radius = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    middle[axis] = box.low()[axis] / 2 + box.high()[axis] / 2;
+    radius = std::max(radius, box.high()[axis] / 2 - box.low()[axis] / 2);
+  }
+  for (int i = 0; i < 70; ++i) {
+    const double turn = i * std::numbers::phi * 2 * std::numbers::pi;
+    const double z = points.dimension() == 3 ? (i + 0.5) / 35 - 1 : 0;
+    const double r = std::sqrt(1 - z * z);
+    const std::array<double, 3> normal{r * std::cos(turn), r * std::sin(turn), z};
+    sides.push_back({normal, std::inner_product(normal.begin(), normal.end(), middle.begin(), 0.9 * radius)});
+  }
+  return Region::half_spaces(points.dimension(), sides);
+}
+
+TEST(Cells, measure_as_their_shapes) {
+  for (const int d : {2, 3}) {
+    std::vector<test::PointSet> sets = test::families(d, 60, 11);
+    sets.push_back(test::with_random_weights(test::uniform(d, 300, 12), 5));
+    sets.push_back(test::uniform(d, 3000, 13));
+    for (const auto& points : sets) {
+      if (!measurable(points)) continue;
+      const AnyTriangulation t = test::built(points);
+      for (const Region& region : {box_around(points.view(), 0.1), box_around(points.view(), -0.2),
+                                   octagon_in(points.view()), cut_by_many(points.view())}) {
+        const CellMeasures cells = measure_cells(t, region);
+        double longest = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          longest = std::max(longest, region.high()[axis] - region.low()[axis]);
+        const double rounding = 1e-13 * std::pow(longest, d);
+        for_cells(t, region, [&](const CellShapes& shapes, const CellMeasures& some) {
+          for (std::size_t cell = 0; cell < some.size(); ++cell) {
+            const std::size_t i = shapes.rows[cell];
+            EXPECT_NEAR(cells.volume[i], some.volume[cell], rounding) << points << i;
+            EXPECT_NEAR(cells.second_moment[i], some.second_moment[cell], rounding * longest * longest) << points << i;
+            EXPECT_NEAR(cells.surface[i], some.surface[cell], 1e-7 * std::pow(longest, d - 1)) << points << i;
+            EXPECT_NEAR(cells.boundary[i], some.boundary[cell], 1e-7 * std::pow(longest, d - 1)) << points << i;
+            for (std::size_t axis = 0; axis < static_cast<std::size_t>(d); ++axis) {
+              const std::size_t at = static_cast<std::size_t>(d) * i + axis;
+              const double off = cells.centroid[at] - some.centroid[static_cast<std::size_t>(d) * cell + axis];
+              EXPECT_NEAR(cells.volume[i] * off, 0, rounding * longest) << points << i;
+            }
+          }
+        });
+      }
+    }
+  }
+}
+
 TEST(Cells, of_a_grid_are_squares_and_cubes_whatever_the_ties) {
   for (const int d : {2, 3}) {
     test::PointSet points{"grid", d, {}};
@@ -295,6 +349,11 @@ TEST(Cells, that_end_where_the_region_does_have_no_neighbour_there) {
     const CellMeasures cells = measure_cells(t, box);
     EXPECT_NEAR(sum(cells.boundary), d == 2 ? 12 : 54, 1e-12);
     EXPECT_EQ(cells.neighbours.size(), d == 2 ? 24U : 108U);
+    // Cells that reach over one side and end at another.
+    const std::vector<double> cut{3.5, 3.3, 3.2};
+    const Region part = Region::box(low, std::span(cut).first(static_cast<std::size_t>(d)));
+    expect_consistent(points, t, part);
+    EXPECT_EQ(measure_cells(t, part).neighbours.size(), d == 2 ? 24U : 108U);
   }
 }
 
@@ -345,6 +404,18 @@ TEST(Cells, have_digits_in_every_unit) {
     EXPECT_NEAR(sum(cells.volume) / region.measure(), 1, 1e-13) << unit;
     EXPECT_GT(cells.neighbours.size(), 200U);
   }
+}
+
+TEST(Cells, in_space_do_not_depend_on_threads) {
+  const test::PointSet points = test::uniform(3, 20000, 3);
+  const AnyTriangulation t = test::built(points);
+  const Region region = box_around(points.view(), -0.05);
+  const CellMeasures one = measure_cells(t, region);
+  const CellMeasures three = measure_cells(t, region, {.threads = 3});
+  EXPECT_EQ(one.volume, three.volume);
+  EXPECT_EQ(one.second_moment, three.second_moment);
+  EXPECT_EQ(one.neighbours, three.neighbours);
+  EXPECT_EQ(one.shared, three.shared);
 }
 
 TEST(Cells, in_blocks_are_the_same_and_threads_change_nothing) {

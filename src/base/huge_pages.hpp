@@ -1,0 +1,19 @@
+// Memory for large results.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace delone {
+
+/// Asks for huge pages where a block spans some, which saves most of the time that page faults and address translation
+/// cost. Advice only: where it is not taken, pages stay small.
+void ask_for_huge_pages(void* block, std::size_t bytes);
+
+template <class T>
+void reserve_large(std::vector<T>& v, std::size_t size) {
+  v.reserve(size);
+  ask_for_huge_pages(v.data(), v.capacity() * sizeof(T));
+}
+
+}  // namespace delone

@@ -1,0 +1,174 @@
+#include "dual/measure_table.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "base/huge_pages.hpp"
+#include "delone/base/dispatch.hpp"
+
+namespace delone::dual_detail {
+namespace {
+
+/// By neighbour, to another place that may be the same. Most lists are short: there every entry counts those that go
+/// before it.
+void sort_entries(std::span<const Index> neighbours, std::span<const double> shared, Index* to, double* to_shared) {
+  constexpr std::size_t kShort = 48;
+  const std::size_t n = neighbours.size();
+  if (n > kShort) {
+    std::vector<std::pair<Index, double>> pairs;
+    for (std::size_t i = 0; i < n; ++i) pairs.emplace_back(neighbours[i], shared[i]);
+    std::ranges::sort(pairs);
+    for (std::size_t i = 0; i < n; ++i) std::tie(to[i], to_shared[i]) = pairs[i];
+    return;
+  }
+  std::array<Index, kShort> key;
+  std::array<double, kShort> size;
+  for (std::size_t i = 0; i < n; ++i) {
+    key[i] = neighbours[i];
+    size[i] = shared[i];
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    std::size_t before = 0;
+    for (std::size_t j = 0; j < n; ++j) before += key[j] < key[i] ? 1 : 0;
+    to[before] = key[i];
+    to_shared[before] = size[i];
+  }
+}
+
+}  // namespace
+
+/// A cell has at most one neighbour per edge at its site.
+MeasureTable::MeasureTable(const AnyTriangulation& t) : t_(t) {
+  lines_.resize(t.sites().size(), Line{});
+  if (t.affine_dimension() > 0) with_dimension<1>(t.affine_dimension(), [&](auto k) { count_cells<k>(); });
+  std::size_t room = 0;
+  for (Line& line : lines_) {
+    line.begin = room;
+    const std::size_t cells = std::exchange(line.count, 0);
+    room += t.affine_dimension() == 3 && cells > 0 ? cells / 2 + 2 : cells;  // by Euler's formula
+  }
+  neighbours_.resize(room);
+  shared_.resize(room);
+}
+
+template <int K>
+void MeasureTable::count_cells() {
+  const ConstComplexView<K> complex(t_.complex());
+  for (std::size_t i = 0; i < complex.slot_count(); ++i) {
+    const CellId c{static_cast<Index>(i)};
+    if (!complex.is_live(c)) continue;
+    for (const VertexId v : complex.vertices(c)) {
+      if (v != kGhost) ++lines_[raw(v)].count;
+    }
+  }
+}
+
+void MeasureTable::put(const ClippedBlock& block, const CellMeasures& from) {
+  {
+    const std::lock_guard lock(mutex_);
+    doubtful_.insert(doubtful_.end(), block.doubtful.begin(), block.doubtful.end());
+  }
+  const auto d = static_cast<std::size_t>(from.dimension);
+  for (std::size_t cell = 0; cell < from.size(); ++cell) {
+    Line& line = lines_[raw(block.sites[cell])];
+    line.volume = from.volume[cell];
+    line.boundary = from.boundary[cell];
+    line.second_moment = from.second_moment[cell];
+    for (std::size_t axis = 0; axis < d; ++axis) line.centroid[axis] = from.centroid[cell * d + axis];
+    line.count = static_cast<Index>(from.offsets[cell + 1] - from.offsets[cell]);
+    std::copy_n(&from.neighbours[from.offsets[cell]], line.count, &neighbours_[line.begin]);
+    std::copy_n(&from.shared[from.offsets[cell]], line.count, &shared_[line.begin]);
+  }
+}
+
+MeasureTable::Entries MeasureTable::entries(const Line& line) {
+  return {{neighbours_.data() + line.begin, line.count}, {shared_.data() + line.begin, line.count}};
+}
+
+/// Where `row` says what it shares with `other`; nothing when it does not know of it. Its entries are sorted.
+double* MeasureTable::shared_with(Index row, Index other) {
+  const auto [neighbours, shared] = entries((*this)[t_.sites().vertex(row)]);
+  const auto found = std::ranges::lower_bound(neighbours, other);
+  if (found == neighbours.end() || *found != other) return nullptr;
+  return &shared[static_cast<std::size_t>(found - neighbours.begin())];
+}
+
+/// What two cells share is what the lower row says. What only one of them knows of is the boundary of the region, which
+/// ends where a bisector runs.
+void MeasureTable::agree() {
+  std::vector<bool> sorted(doubtful_.empty() ? 0 : t_.row_count());
+  for (const auto& pair : doubtful_) {
+    for (const Index row : pair) {
+      if (sorted[row]) continue;
+      const auto [neighbours, shared] = entries((*this)[t_.sites().vertex(row)]);
+      sort_entries(neighbours, shared, neighbours.data(), shared.data());
+      sorted[row] = true;
+    }
+  }
+  for (const auto& [a, b] : doubtful_) {
+    double* const low = shared_with(std::min(a, b), std::max(a, b));
+    double* const high = shared_with(std::max(a, b), std::min(a, b));
+    if (low != nullptr && high != nullptr) {
+      *high = *low;
+    } else if (low != nullptr || high != nullptr) {
+      const Index row = low != nullptr ? std::min(a, b) : std::max(a, b);
+      (*this)[t_.sites().vertex(row)].boundary += std::exchange(*(low != nullptr ? low : high), 0.0);
+    }
+  }
+}
+
+CellMeasures MeasureTable::rows() {
+  agree();
+  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  static constexpr Line kRemoved{.centroid = {kNowhere, kNowhere, kNowhere}};
+  constexpr std::size_t kAhead = 16;
+  const Sites& sites = t_.sites();
+  const std::size_t rows = t_.row_count();
+  const auto line_of = [&](std::size_t row) -> const Line& {
+    const auto r = static_cast<Index>(row);
+    return row >= rows || sites.is_removed(r) ? kRemoved : lines_[raw(sites.vertex(r))];
+  };
+  CellMeasures all;
+  all.dimension = t_.dimension();
+  for (auto* numbers : {&all.volume, &all.surface, &all.boundary, &all.second_moment}) reserve_large(*numbers, rows);
+  const auto d = static_cast<std::size_t>(all.dimension);
+  reserve_large(all.centroid, rows * d);
+  reserve_large(all.offsets, rows + 1);
+  reserve_large(all.neighbours, neighbours_.size());
+  reserve_large(all.shared, neighbours_.size());
+  all.neighbours.resize(neighbours_.size());
+  all.shared.resize(shared_.size());
+  std::size_t kept = 0;
+  for (std::size_t row = 0; row < rows; ++row) {
+    __builtin_prefetch(&line_of(row + 2 * kAhead));
+    __builtin_prefetch(&line_of(row + 2 * kAhead).centroid[2]);
+    const Line& soon = line_of(row + kAhead);
+    __builtin_prefetch(neighbours_.data() + soon.begin);
+    __builtin_prefetch(shared_.data() + soon.begin);
+    __builtin_prefetch(shared_.data() + soon.begin + 5);
+    const Line& line = line_of(row);
+    const auto [neighbours, shared] = entries(line);
+    sort_entries(neighbours, shared, all.neighbours.data() + kept, all.shared.data() + kept);
+    double surface = line.boundary;
+    const std::size_t end = kept + line.count;
+    for (std::size_t i = kept; i < end; ++i) {
+      surface += all.shared[i];
+      all.neighbours[kept] = all.neighbours[i];
+      all.shared[kept] = all.shared[i];
+      kept += all.shared[i] > 0 ? 1 : 0;
+    }
+    all.volume.push_back(line.volume);
+    all.surface.push_back(surface);
+    all.boundary.push_back(line.boundary);
+    all.second_moment.push_back(line.second_moment);
+    for (std::size_t axis = 0; axis < d; ++axis) all.centroid.push_back(line.centroid[axis]);
+    all.offsets.push_back(kept);
+  }
+  all.neighbours.resize(kept);
+  all.shared.resize(kept);
+  return all;
+}
+
+}  // namespace delone::dual_detail
