@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "apps/plain_sites.hpp"
+#include "base/part_of.hpp"
 #include "delone/base/arithmetic.hpp"
 #include "delone/build/build.hpp"
 #include "delone/dual/clip.hpp"
@@ -37,10 +38,8 @@ Relaxed relax(PointsView points, const Region& region, const RelaxOptions& optio
   Relaxed result;
   result.coordinates.assign(points.coordinates().begin(), points.coordinates().end());
   for (int step = 0; step < options.steps; ++step) {
-    const auto half_step = [&](double from) -> Progress {
-      if (!options.progress) return {};
-      return
-          [&options, begin = step + from](double done) { return options.progress((begin + done / 2) / options.steps); };
+    const auto half_step = [&](double from) {
+      return part_of(options.progress, (step + from) / options.steps, (step + from + 0.5) / options.steps);
     };
     const PointsView sites(result.coordinates, points.dimension());
     const AnyTriangulation t = build(sites, {.threads = options.threads, .progress = half_step(0)});

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/chunks.hpp"
+#include "base/part_of.hpp"
 #include "delone/base/arithmetic.hpp"
 #include "delone/base/buffer.hpp"
 #include "dual/clipper.hpp"
@@ -236,11 +237,13 @@ CellMeasures measure_cells(const AnyTriangulation& t, const Region& region, cons
   require_fit(t.dimension(), region);
   const ExactEnvironment environment;
   const Frame frame(region);
+  const bool direct = t.affine_dimension() == t.dimension() && !frame.sides.empty();
+  const double share = direct ? 0.9 : 0;  // of the work
+  const ClipOptions most{options.threads, part_of(options.progress, 0, share)};
+  const ClipOptions rest{options.threads, part_of(options.progress, share, 1)};
   MeasureTable table(t);
-  SiteBlocks others = t.affine_dimension() < t.dimension() || frame.sides.empty()
-                          ? SiteBlocks(t)
-                          : SiteBlocks(t, measure_directly(t, frame, options, table));
-  produce(t, frame, others, options, [&](std::size_t, Block& block) {
+  const SiteBlocks others = direct ? SiteBlocks(t, measure_directly(t, frame, most, table)) : SiteBlocks(t);
+  produce(t, frame, others, rest, [&](std::size_t, Block& block) {
     block.measure(t, frame);
     table.put(block, block.measures);
   });

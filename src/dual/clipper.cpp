@@ -406,9 +406,9 @@ void Clipper<D>::write_spatial(VertexId v) {
     }
     return;
   }
-  if (full_ && std::ranges::all_of(star_.cells, is_near) && !lies_on_side(v)) return write_placed(v);
   for (const Facet& facet : star_.facets)
     block_->doubtful.push_back({t_.sites().row(v), t_.sites().row(facet.neighbour)});
+  if (full_ && std::ranges::all_of(star_.cells, is_near) && !lies_on_side(v)) return write_placed(v);
   const auto site = place(v);
   read_planes(v, writer_.look_from(site));
   writer_.add_cut_region(planes_);
@@ -462,7 +462,6 @@ void Clipper<D>::write_placed(VertexId v) {
     }
     const Index across = t_.sites().row(star_.facets[i].neighbour);
     if (sides_.empty()) return writer_.add_face(polygon_, across);
-    block_->doubtful.push_back({t_.sites().row(v), across});
     writer_.add_cut_face(polygon_, across, sides_);
   });
   read_planes(v, std::span(frame_.middle).first(kAxes));

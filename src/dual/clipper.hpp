@@ -29,8 +29,8 @@ Plane bisector(std::span<const double> near, double near_weight, std::span<const
 struct ClippedBlock {
   CellShapes shapes;
   std::vector<VertexId> sites;  ///< of the cells
-  /// Rows whose cells may have a border in common, of which the first was cut out of the region by bisectors: the other
-  /// may tell otherwise about a border that is hardly longer than rounding errors.
+  /// Rows whose cells may have a border in common, of which the first was read by itself: the other may tell otherwise
+  /// about a border that is hardly longer than rounding errors.
   std::vector<std::array<Index, 2>> doubtful;
 };
 

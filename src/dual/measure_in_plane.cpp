@@ -31,8 +31,9 @@ class PlanarCells {
     Place a{};
     double a_squared = 0;
     for (std::size_t i = 0; i < edges_.size(); ++i) {
-      const Place b = edges_[i + 1 == edges_.size() ? 0 : i + 1].begin - first;
-      const Place edge = b - a;
+      const Place& end = edges_[i + 1 == edges_.size() ? 0 : i + 1].begin;
+      const Place edge = end - edges_[i].begin;  // as long from both sides
+      const Place b = end - first;
       const double b_squared = dot(b, b);
       moments.add_simplex(a[0] * edge[1] - a[1] * edge[0], a + b, a_squared + b_squared);
       table.add_neighbour(line, edges_[i].neighbour, frame_.enlarged(length(edge), 1));
@@ -81,8 +82,10 @@ class PlanarCells {
 
 std::vector<VertexId> measure_in_plane(const AnyTriangulation& t, const Frame& frame, const ClipOptions& options,
                                        MeasureTable& table) {
-  constexpr std::size_t kSites = 1 << 15;  // so many that what is remembered of centres pays
-  std::vector<std::vector<VertexId>> others((t.sites().size() + kSites - 1) / kSites);
+  // So many at once that what is remembered of centres pays, and so few that all threads have work.
+  const auto share = t.sites().size() / (4 * static_cast<std::size_t>(std::max(options.threads, 1)));
+  const std::size_t at_once = std::clamp(share, kChunk, 8 * kChunk);
+  std::vector<std::vector<VertexId>> others((t.sites().size() + at_once - 1) / at_once);
   const auto work = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
     const ExactEnvironment environment;
     PlanarCells cells(t, frame);
@@ -91,7 +94,7 @@ std::vector<VertexId> measure_in_plane(const AnyTriangulation& t, const Frame& f
       if (!t.sites().is_empty(v) && !cells.measure(v, table)) others[chunk].push_back(v);
     }
   };
-  for_chunks(t.sites().size(), options.threads, work, options.progress, kSites);
+  for_chunks(t.sites().size(), options.threads, work, options.progress, at_once);
   std::vector<VertexId> all;
   for (const auto& some : others) all.insert(all.end(), some.begin(), some.end());
   return all;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/chunks.hpp"
+#include "base/part_of.hpp"
 #include "delone/base/arithmetic.hpp"
 #include "delone/order/hilbert.hpp"
 #include "dual/centres.hpp"
@@ -24,7 +25,7 @@
 namespace delone::dual_detail {
 namespace {
 
-constexpr std::size_t kAhead = 8;  // cells that memory is asked for
+constexpr std::size_t kAhead = 8;  // so many cells ahead memory is asked for
 
 /// A finite cell of the triangulation.
 struct Tetrahedron {
@@ -136,13 +137,14 @@ std::vector<CellId> cells_along_curve(const AnyTriangulation& t, const Frame& fr
 
 class SpatialCells {
  public:
-  SpatialCells(const AnyTriangulation& t, const Frame& frame, int threads);
+  SpatialCells(const AnyTriangulation& t, const Frame& frame, int threads, const Progress& progress);
 
   std::size_t size() const { return cells_.size(); }
   Sums& operator[](VertexId v) { return sums_[raw(v)]; }
-  /// Is the cell measured by its faces? They have their places when all its corners are near the region.
+  /// Is the cell bounded, and are all its corners near the region? Then it is measured by its faces. (Of a site that
+  /// has no cell, nothing is known to the contrary.)
   bool is_placed(VertexId v) const { return kind_[raw(v)] != 0; }
-  /// Do all of them lie in it?
+  /// Do all its corners lie in the region?
   bool is_inside(VertexId v) const { return kind_[raw(v)] == kInside; }
   void give_up(VertexId v) { kind_[raw(v)] = 0; }
 
@@ -161,7 +163,7 @@ class SpatialCells {
   };
 
   void find_placed();
-  bool go_around(Index first, std::size_t edge, std::size_t begin, std::size_t end, Ring& ring);
+  bool go_around(Index first, std::size_t edge, std::size_t end, Ring& ring);
   bool has_extent(const Buffer<Index>& ring) const;
   SharedFacet within_region(VertexId from, VertexId to, Ring& ring) const;
 
@@ -175,13 +177,13 @@ class SpatialCells {
   Buffer<Sums> sums_;                ///< per site
 };
 
-SpatialCells::SpatialCells(const AnyTriangulation& t, const Frame& frame, int threads)
+SpatialCells::SpatialCells(const AnyTriangulation& t, const Frame& frame, int threads, const Progress& progress)
     : t_(t), frame_(frame), compute_(t, frame), order_(cells_along_curve(t, frame)), cells_(order_.size()) {
   const ConstComplexView<3> complex(t.complex());
   Buffer<Index> number;
   number.resize(complex.slot_count(), kNone);
   for (std::size_t i = 0; i < order_.size(); ++i) number[raw(order_[i])] = static_cast<Index>(i);
-  for_chunks(cells_.size(), threads, [&](std::size_t begin, std::size_t end, std::size_t) {
+  const auto copy = [&](std::size_t begin, std::size_t end, std::size_t) {
     const ExactEnvironment environment;
     for (std::size_t i = begin; i < end; ++i) {
       complex.prefetch(order_[std::min(i + kAhead, end - 1)]);
@@ -195,7 +197,8 @@ SpatialCells::SpatialCells(const AnyTriangulation& t, const Frame& frame, int th
       }
       cell.centre = compute_.compute(c);
     }
-  });
+  };
+  for_chunks(cells_.size(), threads, copy, progress);
   edges_read_.resize(cells_.size(), 0);
   sums_.resize(t.sites().size(), Sums{});
   kind_.resize(t.sites().size(), kInside);
@@ -218,14 +221,16 @@ void SpatialCells::find_placed() {
 void SpatialCells::read_facets(std::size_t begin, std::size_t end, std::vector<SharedFacet>& facets) {
   Ring ring;
   for (std::size_t i = begin; i < end; ++i) {
-    for (const Index twin : cells_[std::min(i + kAhead, end - 1)].twin) __builtin_prefetch(cells_.data() + twin / 4);
+    for (const Index twin : cells_[std::min(i + kAhead, end - 1)].twin) {
+      if (twin != kNone) __builtin_prefetch(cells_.data() + twin / 4);
+    }
     while (edges_read_[i] != kAllEdges) {
       const auto edge = static_cast<std::size_t>(std::countr_one(edges_read_[i]));
       edges_read_[i] |= static_cast<std::uint8_t>(1U << edge);
       const VertexId from = cells_[i].vertex[kEdges[edge][0]];
       const VertexId to = cells_[i].vertex[kEdges[edge][1]];
       if (!is_placed(from) && !is_placed(to)) continue;
-      if (go_around(static_cast<Index>(i), edge, begin, end, ring) && has_extent(ring.cells))
+      if (go_around(static_cast<Index>(i), edge, end, ring) && has_extent(ring.cells))
         facets.push_back(within_region(from, to, ring));
     }
   }
@@ -233,7 +238,7 @@ void SpatialCells::read_facets(std::size_t begin, std::size_t end, std::vector<S
 
 /// The cells around an edge, as seen from its second corner counter-clockwise. Returns false where `first` is not the
 /// first of them.
-bool SpatialCells::go_around(Index first, std::size_t edge, std::size_t begin, std::size_t end, Ring& ring) {
+bool SpatialCells::go_around(Index first, std::size_t edge, std::size_t end, Ring& ring) {
   ring.cells.clear();
   ring.corners.clear();
   std::size_t back = kEdges[edge][2];
@@ -247,7 +252,7 @@ bool SpatialCells::go_around(Index first, std::size_t edge, std::size_t begin, s
     const Index across = cell.twin[back];
     const VertexId kept = cell.vertex[ahead];
     c = across / 4;
-    if (c < begin) return false;
+    if (c < first) return false;
     const std::array<VertexId, 4>& vertex = cells_[c].vertex;
     back = (vertex[1] == kept ? 1U : 0U) + (vertex[2] == kept ? 2U : 0U) + (vertex[3] == kept ? 3U : 0U);
     ahead = across % 4;
@@ -342,7 +347,8 @@ class SideFaces {
 std::vector<VertexId> measure_in_space(const AnyTriangulation& t, const Frame& frame, const ClipOptions& options,
                                        MeasureTable& table) {
   const Sites& sites = t.sites();
-  SpatialCells cells(t, frame, options.threads);
+  SpatialCells cells(t, frame, options.threads, part_of(options.progress, 0, 0.5));
+  const Progress progress = part_of(options.progress, 0.5, 1);
   const auto add_side = [&](const SharedFacet& facet, VertexId v, VertexId other, const Point3& outward) {
     if (facet.on_side && !cells.is_inside(v)) cells.give_up(v);
     if (!cells.is_placed(v)) return;
@@ -354,9 +360,10 @@ std::vector<VertexId> measure_in_space(const AnyTriangulation& t, const Frame& f
   const std::size_t at_once = options.threads > 1 ? 8 * static_cast<std::size_t>(options.threads) : 1;
   std::vector<std::vector<SharedFacet>> facets(at_once);
   for (std::size_t done = 0; done < cells.size(); done += at_once * kChunk) {
-    tell(options.progress, done, cells.size());
+    tell(progress, done, cells.size());
     for_chunks(std::min(cells.size() - done, at_once * kChunk), options.threads,
                [&](std::size_t begin, std::size_t end, std::size_t i) {
+                 const ExactEnvironment environment;
                  cells.read_facets(done + begin, done + end, facets[i]);
                });
     for (auto& some : facets) {

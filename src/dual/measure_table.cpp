@@ -68,7 +68,7 @@ void MeasureTable::count_cells() {
 void MeasureTable::put(const ClippedBlock& block, const CellMeasures& from) {
   {
     const std::lock_guard lock(mutex_);
-    doubtful_.insert(doubtful_.end(), block.doubtful.begin(), block.doubtful.end());
+    for (const auto& [a, b] : block.doubtful) doubtful_.push_back({std::min(a, b), std::max(a, b)});
   }
   const auto d = static_cast<std::size_t>(from.dimension);
   for (std::size_t cell = 0; cell < from.size(); ++cell) {
@@ -78,8 +78,9 @@ void MeasureTable::put(const ClippedBlock& block, const CellMeasures& from) {
     line.second_moment = from.second_moment[cell];
     for (std::size_t axis = 0; axis < d; ++axis) line.centroid[axis] = from.centroid[cell * d + axis];
     line.count = static_cast<Index>(from.offsets[cell + 1] - from.offsets[cell]);
-    std::copy_n(&from.neighbours[from.offsets[cell]], line.count, &neighbours_[line.begin]);
-    std::copy_n(&from.shared[from.offsets[cell]], line.count, &shared_[line.begin]);
+    const Entries to = entries(line);
+    std::copy_n(from.neighbours.data() + from.offsets[cell], line.count, to.neighbours.data());
+    std::copy_n(from.shared.data() + from.offsets[cell], line.count, to.shared.data());
   }
 }
 
@@ -98,6 +99,8 @@ double* MeasureTable::shared_with(Index row, Index other) {
 /// What two cells share is what the lower row says. What only one of them knows of is the boundary of the region, which
 /// ends where a bisector runs.
 void MeasureTable::agree() {
+  std::ranges::sort(doubtful_);  // blocks come in any order, and each pair twice
+  doubtful_.erase(std::unique(doubtful_.begin(), doubtful_.end()), doubtful_.end());
   std::vector<bool> sorted(doubtful_.empty() ? 0 : t_.row_count());
   for (const auto& pair : doubtful_) {
     for (const Index row : pair) {
@@ -107,14 +110,15 @@ void MeasureTable::agree() {
       sorted[row] = true;
     }
   }
-  for (const auto& [a, b] : doubtful_) {
-    double* const low = shared_with(std::min(a, b), std::max(a, b));
-    double* const high = shared_with(std::max(a, b), std::min(a, b));
-    if (low != nullptr && high != nullptr) {
-      *high = *low;
-    } else if (low != nullptr || high != nullptr) {
-      const Index row = low != nullptr ? std::min(a, b) : std::max(a, b);
-      (*this)[t_.sites().vertex(row)].boundary += std::exchange(*(low != nullptr ? low : high), 0.0);
+  for (const auto& [low, high] : doubtful_) {
+    double* const by_low = shared_with(low, high);
+    double* const by_high = shared_with(high, low);
+    if (by_low != nullptr && by_high != nullptr) {
+      *by_high = *by_low;
+    } else if (by_low != nullptr) {
+      (*this)[t_.sites().vertex(low)].boundary += std::exchange(*by_low, 0.0);
+    } else if (by_high != nullptr) {
+      (*this)[t_.sites().vertex(high)].boundary += std::exchange(*by_high, 0.0);
     }
   }
 }
@@ -147,7 +151,6 @@ CellMeasures MeasureTable::rows() {
     const Line& soon = line_of(row + kAhead);
     __builtin_prefetch(neighbours_.data() + soon.begin);
     __builtin_prefetch(shared_.data() + soon.begin);
-    __builtin_prefetch(shared_.data() + soon.begin + 5);
     const Line& line = line_of(row);
     const auto [neighbours, shared] = entries(line);
     sort_entries(neighbours, shared, all.neighbours.data() + kept, all.shared.data() + kept);

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "delone/base/assert.hpp"
 #include "delone/base/buffer.hpp"
 #include "delone/dual/clip.hpp"
 #include "delone/mesh/triangulation.hpp"
@@ -34,6 +35,8 @@ class MeasureTable {
   /// Each once, in any order; what has no size is left out in the end.
   void add_neighbour(Line& line, VertexId v, double size) {
     const std::size_t place = line.begin + line.count++;
+    DELONE_ASSERT(place < (&line + 1 == lines_.end() ? shared_.size() : (&line + 1)->begin),
+                  "no more neighbours than edges at the site");
     neighbours_[place] = t_.sites().row(v);
     shared_[place] = size;
   }
@@ -72,7 +75,7 @@ class MeasureTable {
   Buffer<Index> neighbours_;
   Buffer<double> shared_;
   std::mutex mutex_;
-  std::vector<std::array<Index, 2>> doubtful_;
+  std::vector<std::array<Index, 2>> doubtful_;  ///< pairs of rows, the lower one first
 };
 
 }  // namespace delone::dual_detail

@@ -406,16 +406,57 @@ TEST(Cells, have_digits_in_every_unit) {
   }
 }
 
-TEST(Cells, in_space_do_not_depend_on_threads) {
-  const test::PointSet points = test::uniform(3, 20000, 3);
+TEST(Cells, do_not_depend_on_threads) {
+  for (const int d : {2, 3}) {
+    for (const auto& points : {test::uniform(d, 20000, 3), test::lattice(d, 12000, d == 2 ? 110 : 23, 3)}) {
+      const AnyTriangulation t = test::built(points);
+      const Region region = box_around(points.view(), -0.05);
+      const CellMeasures one = measure_cells(t, region);
+      const CellMeasures three = measure_cells(t, region, {.threads = 3});
+      EXPECT_EQ(one.volume, three.volume);
+      EXPECT_EQ(one.surface, three.surface);
+      EXPECT_EQ(one.boundary, three.boundary);
+      EXPECT_EQ(one.centroid, three.centroid);
+      EXPECT_EQ(one.second_moment, three.second_moment);
+      EXPECT_EQ(one.neighbours, three.neighbours);
+      EXPECT_EQ(one.shared, three.shared);
+    }
+  }
+}
+
+/// Two poles that share a facet with as many corners as there are sites on a circle between them.
+TEST(Cells, share_a_facet_of_many_corners) {
+  constexpr std::size_t kOnCircle = 20000;
+  test::PointSet points{"poles", 3, {0, 0, 1, 0, 0, -1}};
+  for (std::size_t i = 0; i < kOnCircle; ++i) {
+    const double turn = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(kOnCircle);
+    points.coordinates.insert(points.coordinates.end(), {3 * std::cos(turn), 3 * std::sin(turn), 0});
+  }
+  for (const double x : {-9.0, 9.0}) {
+    for (const double y : {-9.0, 9.0}) {
+      for (const double z : {-9.0, 9.0}) points.coordinates.insert(points.coordinates.end(), {x, y, z});
+    }
+  }
   const AnyTriangulation t = test::built(points);
-  const Region region = box_around(points.view(), -0.05);
-  const CellMeasures one = measure_cells(t, region);
-  const CellMeasures three = measure_cells(t, region, {.threads = 3});
-  EXPECT_EQ(one.volume, three.volume);
-  EXPECT_EQ(one.second_moment, three.second_moment);
-  EXPECT_EQ(one.neighbours, three.neighbours);
-  EXPECT_EQ(one.shared, three.shared);
+  const CellMeasures cells = measure_cells(t, box_around(points.view(), 0), {.threads = 2});
+  EXPECT_NEAR(sum(cells.volume), 18.0 * 18 * 18, 1e-9);
+  EXPECT_EQ(cells.neighbours[0], 1U);
+  EXPECT_NEAR(cells.shared[0], std::numbers::pi * std::pow(4.0 / 3, 2), 1e-3);
+}
+
+TEST(Cells, tell_how_far_they_are_once) {
+  for (const int d : {2, 3}) {
+    const test::PointSet points = test::uniform(d, 20000, 3);
+    double last = 0;
+    const auto rises = [&](double done) {
+      EXPECT_GE(done, last);
+      EXPECT_LE(done, 1);
+      last = done;
+      return true;
+    };
+    measure_cells(test::built(points), box_around(points.view(), -0.05), {.progress = rises});
+    EXPECT_GT(last, 0.8);
+  }
 }
 
 TEST(Cells, in_blocks_are_the_same_and_threads_change_nothing) {
