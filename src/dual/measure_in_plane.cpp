@@ -15,6 +15,8 @@
 namespace delone::dual_detail {
 namespace {
 
+constexpr std::size_t kAhead = 8;  // so many sites ahead memory is asked for
+
 using Place = std::array<double, 2>;
 
 class PlanarCells {
@@ -91,6 +93,7 @@ std::vector<VertexId> measure_in_plane(const AnyTriangulation& t, const Frame& f
     PlanarCells cells(t, frame);
     for (std::size_t s = begin; s < end; ++s) {
       const VertexId v{static_cast<Index>(s)};
+      table.prefetch(VertexId{static_cast<Index>(std::min(s + kAhead, end - 1))});
       if (!t.sites().is_empty(v) && !cells.measure(v, table)) others[chunk].push_back(v);
     }
   };

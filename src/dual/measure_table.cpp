@@ -11,44 +11,43 @@
 namespace delone::dual_detail {
 namespace {
 
-/// By neighbour, to another place that may be the same. Most lists are short: there every entry counts those that go
-/// before it.
-void sort_entries(std::span<const Index> neighbours, std::span<const double> shared, Index* to, double* to_shared) {
+/// By neighbour. Most lists are short: there every entry counts those that go before it.
+void sort_entries(std::span<Index> neighbours, std::span<double> shared) {
   constexpr std::size_t kShort = 48;
   const std::size_t n = neighbours.size();
+  std::vector<std::pair<Index, double>> many(n > kShort ? n : 0);
+  std::array<std::pair<Index, double>, kShort> few;
   if (n > kShort) {
-    std::vector<std::pair<Index, double>> pairs;
-    for (std::size_t i = 0; i < n; ++i) pairs.emplace_back(neighbours[i], shared[i]);
-    std::ranges::sort(pairs);
-    for (std::size_t i = 0; i < n; ++i) std::tie(to[i], to_shared[i]) = pairs[i];
-    return;
+    for (std::size_t i = 0; i < n; ++i) many[i] = {neighbours[i], shared[i]};
+    std::ranges::sort(many);
+  } else {
+    for (std::size_t i = 0; i < n; ++i) {
+      std::size_t before = 0;
+      for (std::size_t j = 0; j < n; ++j) before += neighbours[j] < neighbours[i] ? 1 : 0;
+      few[before] = {neighbours[i], shared[i]};
+    }
   }
-  std::array<Index, kShort> key;
-  std::array<double, kShort> size;
-  for (std::size_t i = 0; i < n; ++i) {
-    key[i] = neighbours[i];
-    size[i] = shared[i];
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    std::size_t before = 0;
-    for (std::size_t j = 0; j < n; ++j) before += key[j] < key[i] ? 1 : 0;
-    to[before] = key[i];
-    to_shared[before] = size[i];
-  }
+  const auto* const sorted = n > kShort ? many.data() : few.data();
+  for (std::size_t i = 0; i < n; ++i) std::tie(neighbours[i], shared[i]) = sorted[i];
 }
 
 }  // namespace
 
-/// A cell has at most one neighbour per edge at its site.
+/// A cell has at most one neighbour per edge at its site. Entries have their places by row.
 MeasureTable::MeasureTable(const AnyTriangulation& t) : t_(t) {
   lines_.resize(t.sites().size(), Line{});
   if (t.affine_dimension() > 0) with_dimension<1>(t.affine_dimension(), [&](auto k) { count_cells<k>(); });
   std::size_t room = 0;
-  for (Line& line : lines_) {
+  for (std::size_t row = 0; row < t.row_count(); ++row) {
+    const auto r = static_cast<Index>(row);
+    if (t.sites().is_removed(r)) continue;
+    Line& line = lines_[raw(t.sites().vertex(r))];
     line.begin = room;
     const std::size_t cells = std::exchange(line.count, 0);
     room += t.affine_dimension() == 3 && cells > 0 ? cells / 2 + 2 : cells;  // by Euler's formula
   }
+  reserve_large(neighbours_, room);
+  reserve_large(shared_, room);
   neighbours_.resize(room);
   shared_.resize(room);
 }
@@ -106,7 +105,7 @@ void MeasureTable::agree() {
     for (const Index row : pair) {
       if (sorted[row]) continue;
       const auto [neighbours, shared] = entries((*this)[t_.sites().vertex(row)]);
-      sort_entries(neighbours, shared, neighbours.data(), shared.data());
+      sort_entries(neighbours, shared);
       sorted[row] = true;
     }
   }
@@ -140,27 +139,19 @@ CellMeasures MeasureTable::rows() {
   const auto d = static_cast<std::size_t>(all.dimension);
   reserve_large(all.centroid, rows * d);
   reserve_large(all.offsets, rows + 1);
-  reserve_large(all.neighbours, neighbours_.size());
-  reserve_large(all.shared, neighbours_.size());
-  all.neighbours.resize(neighbours_.size());
-  all.shared.resize(shared_.size());
   std::size_t kept = 0;
   for (std::size_t row = 0; row < rows; ++row) {
-    __builtin_prefetch(&line_of(row + 2 * kAhead));
-    __builtin_prefetch(&line_of(row + 2 * kAhead).centroid[2]);
-    const Line& soon = line_of(row + kAhead);
-    __builtin_prefetch(neighbours_.data() + soon.begin);
-    __builtin_prefetch(shared_.data() + soon.begin);
+    __builtin_prefetch(&line_of(row + kAhead));
+    __builtin_prefetch(&line_of(row + kAhead).centroid[2]);
     const Line& line = line_of(row);
     const auto [neighbours, shared] = entries(line);
-    sort_entries(neighbours, shared, all.neighbours.data() + kept, all.shared.data() + kept);
+    sort_entries(neighbours, shared);
     double surface = line.boundary;
-    const std::size_t end = kept + line.count;
-    for (std::size_t i = kept; i < end; ++i) {
-      surface += all.shared[i];
-      all.neighbours[kept] = all.neighbours[i];
-      all.shared[kept] = all.shared[i];
-      kept += all.shared[i] > 0 ? 1 : 0;
+    for (std::size_t i = 0; i < line.count; ++i) {
+      surface += shared[i];
+      neighbours_[kept] = neighbours[i];
+      shared_[kept] = shared[i];
+      kept += shared[i] > 0 ? 1 : 0;
     }
     all.volume.push_back(line.volume);
     all.surface.push_back(surface);
@@ -169,8 +160,10 @@ CellMeasures MeasureTable::rows() {
     for (std::size_t axis = 0; axis < d; ++axis) all.centroid.push_back(line.centroid[axis]);
     all.offsets.push_back(kept);
   }
-  all.neighbours.resize(kept);
-  all.shared.resize(kept);
+  neighbours_.resize(kept);
+  shared_.resize(kept);
+  all.neighbours = std::move(neighbours_);
+  all.shared = std::move(shared_);
   return all;
 }
 

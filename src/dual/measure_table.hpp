@@ -35,10 +35,15 @@ class MeasureTable {
   /// Each once, in any order; what has no size is left out in the end.
   void add_neighbour(Line& line, VertexId v, double size) {
     const std::size_t place = line.begin + line.count++;
-    DELONE_ASSERT(place < (&line + 1 == lines_.end() ? shared_.size() : (&line + 1)->begin),
-                  "no more neighbours than edges at the site");
+    DELONE_ASSERT(place < neighbours_.size(), "no more neighbours than edges at the site");
     neighbours_[place] = t_.sites().row(v);
     shared_[place] = size;
+  }
+  /// Asks memory for where neighbours of v will be written.
+  void prefetch(VertexId v) const {
+    const Line& line = lines_[raw(v)];
+    __builtin_prefetch(neighbours_.data() + line.begin, 1);
+    __builtin_prefetch(shared_.data() + line.begin, 1);
   }
   /// Rows that were added.
   std::span<const Index> neighbours(const Line& line) const { return {neighbours_.data() + line.begin, line.count}; }
@@ -56,7 +61,7 @@ class MeasureTable {
   }
   void put(const ClippedBlock& block, const CellMeasures& measures);
 
-  /// Row by row, neighbours ascending.
+  /// Row by row, neighbours ascending. The table is of no use then.
   CellMeasures rows();
 
  private:
@@ -71,9 +76,9 @@ class MeasureTable {
   void agree();
 
   const AnyTriangulation& t_;
-  Buffer<Line> lines_;  ///< per site
-  Buffer<Index> neighbours_;
-  Buffer<double> shared_;
+  Buffer<Line> lines_;             ///< per site
+  std::vector<Index> neighbours_;  ///< by row, each with its room
+  std::vector<double> shared_;
   std::mutex mutex_;
   std::vector<std::array<Index, 2>> doubtful_;  ///< pairs of rows, the lower one first
 };
