@@ -38,7 +38,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     -Wno-restrict)             # and inlined std::string operations (its bug 105651)
 endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-  target_compile_options(delone_flags INTERFACE -Wno-gnu -Wno-pedantic
+  target_compile_options(delone_flags INTERFACE -fbracket-depth=1024  # folds over the terms of a determinant
+    -Wno-gnu -Wno-pedantic
     -Wno-deprecated-declarations)  # std::stable_partition of g++ 12's library uses what the library deprecates
 endif()
 if(DELONE_NATIVE)
