@@ -167,15 +167,6 @@ Plane Clipper<D>::bisector_of(VertexId v, VertexId u, std::span<const double> ey
   return bisector(place(v), t_.sites().weight(v), place(u), t_.sites().weight(u), frame_, eye, t_.sites().row(u));
 }
 
-/// The direction to a neighbour. In the plane it is not asked for.
-template <int D>
-Point3 Clipper<D>::outward(VertexId v, VertexId neighbour) const {
-  Point3 normal{};
-  for (std::size_t axis = 0; axis < kAxes; ++axis)
-    normal[axis] = frame_.scaled(place(neighbour)[axis] - place(v)[axis]);
-  return normal;
-}
-
 template <int D>
 void Clipper<D>::end_cell(VertexId v) {
   writer_.end_cell(t_.sites().row(v));
@@ -238,7 +229,7 @@ void Clipper<D>::read_facet(VertexId v, VertexId neighbour, std::size_t begin, s
     } else if (!before.ghost) {
       const std::size_t last = star_.at(next(i)).ghost ? next(i) : i;
       add_far_corners(before.centre.at, c.cell, star_.at(last).cell, star_.at(next(last)).centre.at,
-                      outward(v, neighbour));
+                      direction(t_.sites(), frame_, v, neighbour));
     }
   }
 }

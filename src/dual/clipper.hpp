@@ -25,6 +25,13 @@ namespace delone::dual_detail {
 Plane bisector(std::span<const double> near, double near_weight, std::span<const double> far, double far_weight,
                const Frame& frame, std::span<const double> eye, Index across);
 
+/// From one site to another, in space.
+inline Point3 direction(const Sites& sites, const Frame& frame, VertexId from, VertexId to) {
+  const double* const a = sites.leading() + 3 * std::size_t{raw(from)};
+  const double* const b = sites.leading() + 3 * std::size_t{raw(to)};
+  return {frame.scaled(b[0] - a[0]), frame.scaled(b[1] - a[1]), frame.scaled(b[2] - a[2])};
+}
+
 /// Cells of some sites, seen in a frame.
 struct ClippedBlock {
   CellShapes shapes;
@@ -105,7 +112,6 @@ class Clipper {
   bool is_vertex(VertexId v) const { return t_.complex().incident_cell(v) != kNoCell; }
   std::array<double, kAxes> place(VertexId v) const;
   Plane bisector_of(VertexId v, VertexId u, std::span<const double> eye) const;
-  Point3 outward(VertexId v, VertexId neighbour) const;
   void end_cell(VertexId v);
   Point3 ray(CellId ghost) const;
   /// The run of ghosts in a ring as corners far outside: from the finite cell before to the one after them.

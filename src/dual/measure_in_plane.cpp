@@ -6,11 +6,11 @@
 
 #include "base/chunks.hpp"
 #include "delone/base/arithmetic.hpp"
-#include "delone/base/buffer.hpp"
 #include "dual/centres.hpp"
 #include "dual/measure.hpp"
 #include "dual/measure_directly.hpp"
 #include "dual/polytope.hpp"
+#include "dual/stars.hpp"
 
 namespace delone::dual_detail {
 namespace {
@@ -22,23 +22,29 @@ using Place = std::array<double, 2>;
 class PlanarCells {
  public:
   PlanarCells(const AnyTriangulation& t, const Frame& frame)
-      : frame_(frame), complex_(t.complex()), centres_(t, frame) {}
+      : complex_(t.complex()), frame_(frame), centres_(t, frame), reader_(t, &centres_) {}
 
   /// Returns whether the cell of a site lies in the region; else nothing is measured.
   bool measure(VertexId v, MeasureTable& table) {
-    if (!turn_about(v)) return false;
+    if (complex_.incident_cell(v) == kNoCell) return false;
+    reader_.read(v, star_);
+    const auto is_inside = [](const StarCell& c) { return !c.ghost && c.centre.within; };
+    if (!std::ranges::all_of(star_.cells, is_inside)) return false;
+    const auto corner = [&](std::size_t i) {
+      const Point3& at = star_.at(i == star_.facets.size() ? 0 : i).centre.at;
+      return Place{at[0], at[1]};
+    };
     MeasureTable::Line& line = table[v];
-    const Place first = edges_[0].begin;
+    const Place first = corner(0);
     Moments<2> moments;
     Place a{};
     double a_squared = 0;
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
-      const Place& end = edges_[i + 1 == edges_.size() ? 0 : i + 1].begin;
-      const Place edge = end - edges_[i].begin;  // as long from both sides
-      const Place b = end - first;
+    for (std::size_t i = 0; i < star_.facets.size(); ++i) {
+      const Place edge = corner(i + 1) - corner(i);  // as long from both sides
+      const Place b = corner(i + 1) - first;
       const double b_squared = dot(b, b);
       moments.add_simplex(a[0] * edge[1] - a[1] * edge[0], a + b, a_squared + b_squared);
-      table.add_neighbour(line, edges_[i].neighbour, frame_.enlarged(length(edge), 1));
+      table.add_neighbour(line, star_.facets[i].neighbour, frame_.enlarged(length(edge), 1));
       a = b;
       a_squared = b_squared;
     }
@@ -47,37 +53,11 @@ class PlanarCells {
   }
 
  private:
-  struct Edge {
-    Place begin;
-    VertexId neighbour;
-  };
-
-  /// Reads the edges of a cell, counter-clockwise, as StarReader does; returns false where it does not lie in the
-  /// region.
-  bool turn_about(VertexId v) {
-    edges_.clear();
-    const CellId start = complex_.incident_cell(v);
-    if (start == kNoCell || complex_.is_ghost(start)) return false;
-    CellId c = start;
-    Centre centre = centres_[c];
-    do {
-      const int slot = complex_.slot_of(c, v);
-      const FacetId across = complex_.twin(c, complex_.turned(slot, 1));
-      const CellId next = complex_.cell(across);
-      if (complex_.is_ghost(next) || !centre.within) return false;
-      const Centre next_centre = centres_[next];
-      if (!centres_.coincide(centre, next_centre, c, complex_.vertex(across)))
-        edges_.push_back({{centre.at[0], centre.at[1]}, complex_.vertex(c, complex_.turned(slot, 2))});
-      c = next;
-      centre = next_centre;
-    } while (c != start);
-    return true;
-  }
-
+  const Complex& complex_;
   const Frame& frame_;
-  ConstComplexView<2> complex_;
   Centres<2> centres_;
-  Buffer<Edge> edges_;
+  StarReader<2> reader_;
+  Star star_;
 };
 
 }  // namespace

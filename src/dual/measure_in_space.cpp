@@ -278,10 +278,7 @@ bool SpatialCells::has_extent(const Buffer<Index>& ring) const {
 }
 
 SharedFacet SpatialCells::within_region(VertexId from, VertexId to, Ring& ring) const {
-  Point3 along;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    along[axis] = frame_.scaled(t_.sites().leading()[3 * std::size_t{raw(to)} + axis] -
-                                t_.sites().leading()[3 * std::size_t{raw(from)} + axis]);
+  const Point3 along = direction(t_.sites(), frame_, from, to);
   SharedFacet facet{{from, to}, {}, 0, false};
   if (is_inside(from) && is_inside(to)) {
     facet.face = measured(ring.corners, along);

@@ -77,6 +77,7 @@ void MeasureTable::put(const ClippedBlock& block, const CellMeasures& from) {
     line.second_moment = from.second_moment[cell];
     for (std::size_t axis = 0; axis < d; ++axis) line.centroid[axis] = from.centroid[cell * d + axis];
     line.count = static_cast<Index>(from.offsets[cell + 1] - from.offsets[cell]);
+    DELONE_ASSERT(line.begin + line.count <= neighbours_.size(), "no more neighbours than edges at the site");
     const Entries to = entries(line);
     std::copy_n(from.neighbours.data() + from.offsets[cell], line.count, to.neighbours.data());
     std::copy_n(from.shared.data() + from.offsets[cell], line.count, to.shared.data());

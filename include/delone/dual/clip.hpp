@@ -58,7 +58,7 @@ CellShapes clipped_cells(const AnyTriangulation& t, const Region& region, const 
 
 /// What they measure. Cells sum to the region, to some 1e-14 of it; where all sites are 1e9 times as far away as it is
 /// large, to 1e-11. Of two cells both know what they share, or none. Beside the result it holds 64 bytes a site, and in
-/// space a copy of the triangulation's cells with their centres: about 0.5 kB a site.
+/// space a copy of the triangulation's cells with their centres, and sums: about 0.6 kB a site.
 /// @throws InputError unless t and the region have the same dimension, 2 or 3; Cancelled; std::bad_alloc
 CellMeasures measure_cells(const AnyTriangulation& t, const Region& region, const ClipOptions& options = {});
 
