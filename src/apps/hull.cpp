@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -27,6 +26,7 @@
 #include "delone/base/dispatch.hpp"
 #include "delone/geometry/affine.hpp"
 #include "delone/geometry/kernel.hpp"
+#include "delone/geometry/perturb.hpp"
 #include "delone/mesh/scratch.hpp"
 #include "delone/mesh/star.hpp"
 #include "delone/topology/complex.hpp"
@@ -137,17 +137,9 @@ class Hull {
     VertexId off = basis_[0];
     for (const VertexId b : basis_) off = side(facet, off) == 0 ? b : off;
     const int orientation = side(facet, off);
-    std::array<std::size_t, kCorners + 1> order;
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto id = [&](std::size_t i) { return i == kCorners ? q : facet[i]; };
-    std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return kernel_.before(id(a), id(b)); });
-    for (const std::size_t i : order) {
-      if (i == kCorners) return true;
-      Facet replaced = facet;
-      replaced[i] = q;
-      if (const int coordinate = side(replaced, off) * orientation; coordinate != 0) return coordinate < 0;
-    }
-    return true;  // not reached: q is among the points
+    return perturbed_conflict<kCorners - 1>(
+        facet, q, [this](VertexId a, VertexId b) { return kernel_.before(a, b); },
+        [&](const Facet& replaced) { return side(replaced, off) * orientation; });
   }
 
   /// A facet of today that q lies beyond, or kNoCell.

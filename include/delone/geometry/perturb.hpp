@@ -9,27 +9,27 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 
 #include "delone/base/ids.hpp"
 
 namespace delone {
 
-/// Whether q, exactly on the lifted hyperplane of the positively oriented `cell`, counts as below it.
+/// Whether q, exactly on the lifted hyperplane of the positively oriented `cell`, counts as below it. No two of the
+/// sites stand at one place.
 /// @param before  lexicographic order of vertices
 /// @param orient  exact sign of the orientation of K + 1 vertices
 template <int K, class Before, class Orient>
 bool perturbed_conflict(const std::array<VertexId, K + 1>& cell, VertexId q, Before before, Orient orient) {
-  constexpr std::size_t kQuery = K + 1;
-  std::array<std::size_t, K + 2> order;
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  const auto id = [&](std::size_t i) { return i == kQuery ? q : cell[i]; };
-  std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return before(id(a), id(b)); });
-  for (const std::size_t i : order) {
-    if (i == kQuery) return true;
+  std::array<VertexId, K + 2> left;  // whose lowering has not been tried
+  std::ranges::copy(cell, left.begin());
+  left[K + 1] = q;
+  for (auto end = left.end(); end != left.begin(); --end) {
+    const auto first = std::min_element(left.begin(), end, before);
+    if (*first == q) return true;
     auto replaced = cell;
-    replaced[i] = q;
+    std::ranges::replace(replaced, *first, q);
     if (const int sign = orient(replaced); sign != 0) return sign < 0;
+    *first = end[-1];
   }
   return true;  // not reached: q is among the sites
 }
