@@ -163,18 +163,19 @@ class Inserter {
     mesh_->hidden = {};
   }
 
-  /// Vertices whose whole star lay in the cavity have become redundant.
+  /// Vertices whose whole star lay in the cavity have become redundant. Each vertex of the cavity is one of the first
+  /// cell, or lies opposite the facet by which the search entered another.
   void hide_swallowed_vertices() {
     scratch_->swallowed.clear();
-    for (const FacetId f : scratch_->cavity) {
-      for (const VertexId v : complex_.vertices(complex_.cell(f))) {
-        if (v == kGhost || !complex_.has_vertex(v)) continue;
-        if (scratch_->marks[raw(complex_.incident_cell(v))] != Scratch::Mark::conflicting) continue;
-        complex_.forget(v);
-        --mesh_->vertex_count;
-        scratch_->swallowed.push_back(v);  // there is room
-      }
-    }
+    for (const VertexId v : complex_.vertices(complex_.cell(scratch_->cavity.front()))) hide_if_swallowed(v);
+    for (const FacetId f : scratch_->cavity) hide_if_swallowed(complex_.vertex(f));
+  }
+  void hide_if_swallowed(VertexId v) {
+    if (v == kGhost || !complex_.has_vertex(v)) return;
+    if (scratch_->marks[raw(complex_.incident_cell(v))] != Scratch::Mark::conflicting) return;
+    complex_.forget(v);
+    --mesh_->vertex_count;
+    scratch_->swallowed.push_back(v);  // there is room
   }
 
   Mesh* mesh_;
