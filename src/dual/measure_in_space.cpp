@@ -25,7 +25,7 @@
 namespace delone::dual_detail {
 namespace {
 
-constexpr std::size_t kAhead = 8;  // so many cells ahead memory is asked for
+constexpr std::size_t kAhead = 8;  // so many cells or facets ahead memory is asked for
 
 /// A finite cell of the triangulation.
 struct Tetrahedron {
@@ -141,6 +141,10 @@ class SpatialCells {
 
   std::size_t size() const { return cells_.size(); }
   Sums& operator[](VertexId v) { return sums_[raw(v)]; }
+  void prefetch(VertexId v) const {
+    __builtin_prefetch(&sums_[raw(v)], 1);
+    __builtin_prefetch(&sums_[raw(v)].moments, 1);
+  }
   /// Is the cell bounded, and are all its corners near the region? Then it is measured by its faces. (Of a site that
   /// has no cell, nothing is known to the contrary.)
   bool is_placed(VertexId v) const { return kind_[raw(v)] != 0; }
@@ -279,11 +283,8 @@ bool SpatialCells::has_extent(const Buffer<Index>& ring) const {
 
 SharedFacet SpatialCells::within_region(VertexId from, VertexId to, Ring& ring) const {
   const Point3 along = direction(t_.sites(), frame_, from, to);
+  if (is_inside(from) && is_inside(to)) return {{from, to}, measured(ring.corners, along), 0, false};
   SharedFacet facet{{from, to}, {}, 0, false};
-  if (is_inside(from) && is_inside(to)) {
-    facet.face = measured(ring.corners, along);
-    return facet;
-  }
   ring.cutter.begin(ring.corners);
   for (std::size_t side = 0; side < frame_.sides.size(); ++side) {
     double least = std::numeric_limits<double>::infinity();
@@ -364,7 +365,12 @@ std::vector<VertexId> measure_in_space(const AnyTriangulation& t, const Frame& f
                  cells.read_facets(done + begin, done + end, facets[i]);
                });
     for (auto& some : facets) {
-      for (const SharedFacet& facet : some) {
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        for (const VertexId v : some[std::min(i + kAhead, some.size() - 1)].sites) {
+          cells.prefetch(v);
+          __builtin_prefetch(&table[v], 1);
+        }
+        const SharedFacet& facet = some[i];
         add_side(facet, facet.sites[0], facet.sites[1], facet.face.area);
         add_side(facet, facet.sites[1], facet.sites[0], -1.0 * facet.face.area);
       }
