@@ -91,13 +91,13 @@ class Knitter {
     static constexpr int kGhostEnd = Left ? 2 : 1;
 
     VertexId end;
-    bool alone;                        ///< `end` is the whole part: there is no ghost cell
-    Half open;                         ///< of that ghost cell the facet opposite the candidate
-    Half inner;                        ///< the facet below the ghost, from the other side
-    VertexId candidate;                ///< this and what follows is known once look() and see() were called
-    VertexId beyond;                   ///< the corner that would be the candidate if the edge to this one went
-    Ray<2> candidate_ray, beyond_ray;  ///< as the left end sees them
-    double turn;                       ///< from the right end to the candidate
+    bool alone;                     ///< `end` is the whole part: there is no ghost cell
+    Half open;                      ///< of that ghost cell the facet opposite the candidate
+    Half inner;                     ///< the facet below the ghost, from the other side
+    VertexId candidate;             ///< this and what follows is known once look() and see() were called
+    VertexId beyond;                ///< the corner that would be the candidate if the edge to this one went
+    Ray candidate_ray, beyond_ray;  ///< as the left end sees them
+    double turn;                    ///< from the right end to the candidate
 
     Bank(VertexId v, FacetId hull) : end(v), alone(hull == kNoFacet), open(hull), inner(hull) {}
   };
@@ -246,7 +246,7 @@ class Knitter {
 
   /// Whether q lies in the circle through the ends and the candidate of a bank.
   template <bool Left>
-  bool inside(VertexId left, VertexId right, const Bank<Left>& bank, VertexId q, const Ray<2>& ray, double turn) {
+  bool inside(VertexId left, VertexId right, const Bank<Left>& bank, VertexId q, const Ray& ray, double turn) {
     return kernel_.conflict_seen(base_, bank.candidate_ray, ray, bank.turn, bank.candidate_ray.turn(ray), turn, q, [&] {
       return Triangle{left, right, bank.candidate};
     });
@@ -271,7 +271,7 @@ class Knitter {
   FacetId* hull_;   ///< per hull vertex, of the ghost cell on the edge that leaves it counter-clockwise, the facet
                     ///< between it and the ghost; kNoFacet for a vertex alone
   CellId spare_{};  ///< two cells that the next merge may use
-  Ray<2> base_{};   ///< the right end as the left one sees it
+  Ray base_{};      ///< the right end as the left one sees it
   std::uint64_t cells_made_ = 0;
 };
 

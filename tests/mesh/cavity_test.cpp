@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <vector>
 
 #include "delone/base/dispatch.hpp"
 #include "delone/build/insert.hpp"
+#include "delone/mesh/walk.hpp"
+#include "mesh/triangulate.hpp"
 #include "support/expectations.hpp"
 #include "support/families.hpp"
 
@@ -61,6 +65,61 @@ TEST(Cavity, is_every_cell_in_conflict_and_no_other) {
       }
     }
   }
+}
+
+struct Found {
+  std::vector<Index> cavity, boundary;
+  std::vector<Index> numbers;  ///< per vertex, kNone of those that are not on the boundary
+
+  bool operator==(const Found&) const = default;
+};
+
+/// What a search left in the scratch, of which the marks are taken back.
+Found take(const Mesh& mesh, Scratch& scratch) {
+  const ConstComplexView<3> complex(mesh.complex);
+  Found found;
+  for (const FacetId f : scratch.cavity) {
+    found.cavity.push_back(raw(f));
+    scratch.marks[raw(complex.cell(f))] = Scratch::Mark::none;
+  }
+  found.numbers.resize(mesh.sites.size() + 1, kNone);
+  for (const FacetId f : scratch.boundary) {
+    found.boundary.push_back(raw(f));
+    for (const VertexId v : complex.vertices(complex.cell(f))) {
+      if (v != complex.vertex(f)) found.numbers[static_cast<Index>(raw(v) + 1)] = scratch.numbers.of(v);
+    }
+  }
+  EXPECT_TRUE(std::ranges::none_of(scratch.marks, [](auto mark) { return mark != Scratch::Mark::none; }));
+  return found;
+}
+
+TEST(Cavity, in_space_is_the_same_by_fours_and_cell_by_cell) {
+  std::size_t larger = 0;
+  for (const PointSet& points : families(3, 120, 1)) {
+    Mesh mesh = triangulate_points(rows(points, 0, 100).view(), 1, {});
+    if (mesh.complex.dimension() != 3) continue;
+    mesh.sites.reserve_more(points.size());
+    for (std::size_t row = 100; row < points.size(); ++row) {
+      mesh.sites.append(points.view()[row], points.view().weight(row), static_cast<Index>(row));
+    }
+    ComplexView<3> complex(mesh.complex);
+    Kernel<3> kernel(mesh.sites);
+    Scratch& scratch = mesh.scratch;
+    scratch.reserve_cells(3, complex.slot_count());
+    scratch.reserve_vertices(3, mesh.sites.size());
+    for (std::size_t i = 100; i < mesh.sites.size(); ++i) {
+      const VertexId q{static_cast<Index>(i)};
+      WalkStats walked;
+      const CellId start = walk(complex, kernel, kernel.at(q), complex.incident_cell(kGhost), walked);
+      if (!in_conflict(complex, kernel, scratch, start, q)) continue;
+      if (!find_cavity_by_fours(complex, kernel, q, start, scratch)) GTEST_SKIP() << "not on this processor";
+      const Found by_fours = take(mesh, scratch);
+      find_cavity_in_breadth(complex, kernel, q, start, scratch);
+      ASSERT_EQ(take(mesh, scratch), by_fours) << points.name;
+      larger += by_fours.cavity.size() > 20 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(larger, 100U);
 }
 
 TEST(Cavity, in_the_plane_its_boundary_is_listed_as_a_cycle) {

@@ -126,6 +126,9 @@ class Refill {
     *next_ = value;
     next_ += really ? 1 : 0;
   }
+  /// Where the next goes; and keeps `count` that have been written from there.
+  T* place() { return next_; }
+  void keep(std::size_t count) { next_ += count; }
   T pop() { return *--next_; }
 
  private:

@@ -102,60 +102,14 @@ struct Hyperplane {
   float height;
 };
 
-/// A site as another one sees it.
-template <int K>
-struct Ray;
-
-template <>
-struct Ray<2> {
+/// A site of the plane as another one sees it.
+struct Ray {
   Pair to;
   double lift;  ///< how much higher its lifted point lies, but for the plane that touches at the other one
   double size;  ///< the sum of the sizes of its parts
 
   /// Twice the area of the triangle with both, positive when `next` follows in turning order.
   [[gnu::always_inline]] double turn(const Ray& next) const { return to[0] * next.to[1] - to[1] * next.to[0]; }
-};
-
-template <>
-struct Ray<3> {
-  Pair xy, zl;      ///< the coordinates and the lift
-  Pair xz, yl, lz;  ///< the same in other pairs, for minors
-
-  Ray() = default;
-  Ray(Pair first, Pair last)
-      : xy(first), zl(last), xz(firsts(first, last)), yl(seconds(first, last)), lz(turned(last, last)) {}
-};
-
-/// The 2 x 2 minors of two rays in space. Those of two and those of two others make the lifted determinant of the four.
-struct RayMinors {
-  Pair xy_zl, xz_yl, xl_yz;
-
-  [[gnu::always_inline]] RayMinors(const Ray<3>& a, const Ray<3>& b)
-      : xy_zl(a.xz * b.yl - a.yl * b.xz), xz_yl(a.xy * b.zl - a.zl * b.xy), xl_yz(a.xy * b.lz - a.lz * b.xy) {}
-  /// Each pair with its members exchanged: what the minors of two others are multiplied by.
-  [[gnu::always_inline]] RayMinors turned_over() const {
-    RayMinors over = *this;
-    for (Pair* p : {&over.xy_zl, &over.xz_yl, &over.xl_yz}) *p = turned(*p, *p);
-    return over;
-  }
-  /// Sixteen roundings on the way of each term, as elsewhere: three differences, five of the lift, two for each minor,
-  /// the product, three sums.
-  [[gnu::always_inline]] double determinant(const RayMinors& others_turned_over) const {
-    const Pair terms =
-        xy_zl * others_turned_over.xy_zl - xz_yl * others_turned_over.xz_yl + xl_yz * others_turned_over.xl_yz;
-    return terms[0] + terms[1];
-  }
-};
-
-/// A site that looks at others in space.
-template <int K>
-struct Eye;
-
-template <>
-struct Eye<3> {
-  Pair xy;
-  double z;
-  VertexId site;
 };
 
 template <int K>
@@ -190,7 +144,7 @@ class Kernel {
     return points;
   }
   const PredicateStats& stats() const { return stats_; }
-  /// Counts conflict tests that a search decided from rays.
+  /// Counts conflict tests that a search decided for itself.
   void count_filtered(std::uint64_t tests) { stats_.conflict_filter += tests; }
 
   /// Sign of det(v1 - v0, ..., vK - v0) of finite vertices.
@@ -235,7 +189,7 @@ class Kernel {
   Hyperplane<K> hyperplane(const Hyperplane<K>& inside, const Hyperplane<K>& outside, VertexId q) const;
 
   /// v as `from` sees it.
-  [[gnu::always_inline]] Ray<2> ray(VertexId v, VertexId from) const requires(K == 2) {
+  [[gnu::always_inline]] Ray ray(VertexId v, VertexId from) const requires(K == 2) {
     const Pair to = load_pair(at(v)) - load_pair(at(from));
     const double square = to[0] * to[0] + to[1] * to[1];
     if (plain_) [[likely]]
@@ -243,26 +197,12 @@ class Kernel {
     const Lift extra = extra_lift(v, from);
     return {to, square + extra.value, square + extra.size};
   }
-  Eye<3> eye(VertexId q) const requires(K == 3) { return {load_pair(at(q)), at(q)[2], q}; }
-  /// The same in space; `size` becomes the sum of the sizes of the lift's parts.
-  [[gnu::always_inline]] Ray<3> ray(VertexId v, const Eye<3>& from, double& size) const requires(K == 3) {
-    const Pair xy = load_pair(at(v)) - from.xy;
-    const double z = at(v)[2] - from.z;
-    size = xy[0] * xy[0] + xy[1] * xy[1] + z * z;
-    double lift = size;
-    if (!plain_) [[unlikely]] {
-      const Lift extra = extra_lift(v, from.site);
-      lift += extra.value;
-      size += extra.size;
-    }
-    return {xy, Pair{z, lift}};
-  }
   /// conflict() of a cell whose corners q sees as a, b, c, with their turns; `cell` tells it where that is in doubt.
   template <class F>
-  [[gnu::always_inline]] bool conflict(const Ray<2>& a, const Ray<2>& b, const Ray<2>& c, double ab, double bc,
-                                       double ca, VertexId q, const F& cell) requires(K == 2) {
+  [[gnu::always_inline]] bool conflict(const Ray& a, const Ray& b, const Ray& c, double ab, double bc, double ca,
+                                       VertexId q, const F& cell) requires(K == 2) {
     const double value = a.lift * bc + b.lift * ca + c.lift * ab;
-    if (std::abs(value) > bound_of_rays(std::max(std::max(a.size, b.size), c.size))) [[likely]] {
+    if (std::abs(value) > lifted_bound(std::max(std::max(a.size, b.size), c.size))) [[likely]] {
       ++stats_.conflict_filter;
       return value > 0.0;
     }
@@ -270,10 +210,10 @@ class Kernel {
   }
   /// The same of a cell with corner `seer`, from where the others are seen as a and b, and the query as q.
   template <class F>
-  [[gnu::always_inline]] bool conflict_seen(const Ray<2>& a, const Ray<2>& b, const Ray<2>& q, double ab, double bq,
-                                            double aq, VertexId query, const F& cell) requires(K == 2) {
+  [[gnu::always_inline]] bool conflict_seen(const Ray& a, const Ray& b, const Ray& q, double ab, double bq, double aq,
+                                            VertexId query, const F& cell) requires(K == 2) {
     const double value = b.lift * aq - a.lift * bq - q.lift * ab;
-    if (std::abs(value) > bound_of_rays(std::max(std::max(a.size, b.size), q.size))) [[likely]] {
+    if (std::abs(value) > lifted_bound(std::max(std::max(a.size, b.size), q.size))) [[likely]] {
       ++stats_.conflict_filter;
       return value > 0.0;
     }
@@ -282,8 +222,7 @@ class Kernel {
 
   /// orient() of a cell whose first corner sees the others as a and b, with this turn between them.
   template <class F>
-  [[gnu::always_inline]] int orient_seen(const Ray<2>& a, const Ray<2>& b, double turn,
-                                         const F& cell) requires(K == 2) {
+  [[gnu::always_inline]] int orient_seen(const Ray& a, const Ray& b, double turn, const F& cell) requires(K == 2) {
     // Of each product the size is at most half the sum of the squares of its factors.
     if (std::abs(turn) > 1.6 * filter::kU * (a.size + b.size) + 0x1p-1000) [[likely]] {
       ++stats_.orient_filter;
@@ -292,14 +231,26 @@ class Kernel {
     return orient(cell());
   }
 
-  /// The error of a lifted determinant of rays of at most this size, which stands for S and for S + W. Infinite where
-  /// the determinant might overflow.
-  [[gnu::always_inline]] double bound_of_rays(double size) const {
+  /// The error of a lifted determinant of sites that are seen with lifts of at most this size, which stands for S and
+  /// for S + W. No determinant lies beyond it where one might overflow: then it is infinite, or no number.
+  [[gnu::always_inline]] double lifted_bound(double size) const {
     if constexpr (K == 2) return conflict_bound_ * (3.0 * (size + 0x1p-900) * size) + 0x1p-1000;
     const double s = size + 0x1p-300;
     return (4 * 1.155 * (1 + 0x1p-40)) * conflict_bound_ * std::sqrt((s * s) * (s * s) * s) + 0x1p-447;
   }
 
+  /// Whether a determinant of such lifts in space is computed without any rounding, so that a zero is a tie.
+  bool exact_lifts(double size) const requires(K == 3) {
+    const double s = size + 0x1p-300;
+    return (s * s * s) * (s * s) < conflict_exact_below_;
+  }
+  /// conflict() where q is known to lie exactly on the cell's lifted hyperplane.
+  bool conflict_by_tie(const Cell& cell, VertexId q);
+
+  /// Null without weights.
+  const double* weights() const { return weights_; }
+  /// Whether the sites lie in a flat of more dimensions, whose other coordinates count in heights.
+  bool flat() const { return other_count_ != 0; }
   bool weighted() const { return weights_ != nullptr; }
 
   /// Which of `corners`, 1 to 32 sites on the inner side of edge (a, b) of a triangulation or on its outer side, makes
@@ -372,8 +323,6 @@ class Kernel {
   }
   [[gnu::noinline]] bool decide_slowly(Estimate e, const Cell& cell, VertexId q);
   [[gnu::noinline]] bool conflict_from_coordinates(const Cell& cell, VertexId q) { return conflict(cell, q); }
-  /// q lies exactly on the cell's lifted hyperplane.
-  bool tie(const Cell& cell, VertexId q);
 
   /// A site seen from a hyperplane: how far above it, and a bound on the error of that.
   struct Sight {
@@ -778,8 +727,8 @@ Hyperplane<K> Kernel<K>::hyperplane(const Hyperplane<K>& inside, const Hyperplan
 template <int K>
 std::size_t Kernel<K>::innermost(VertexId a, VertexId b, std::span<const VertexId> corners) requires(K == 2) {
   if (corners.size() == 1) return 0;
-  const Ray<2> end = ray(b, a);
-  std::array<Ray<2>, 32> rays;
+  const Ray end = ray(b, a);
+  std::array<Ray, 32> rays;
   std::array<double, 32> sides;
   double size = end.size;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -787,7 +736,7 @@ std::size_t Kernel<K>::innermost(VertexId a, VertexId b, std::span<const VertexI
     sides[i] = end.turn(rays[i]);
     size = std::max(size, rays[i].size);
   }
-  const double bound = bound_of_rays(size);
+  const double bound = lifted_bound(size);
   std::size_t best = 0;
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const double value = end.lift * rays[best].turn(rays[i]) - rays[best].lift * sides[i] + rays[i].lift * sides[best];
@@ -820,7 +769,7 @@ SlowSign Kernel<K>::slow_conflict_sign(const Cell& cell, VertexId q) const {
 template <int K>
 bool Kernel<K>::decide_slowly(Estimate e, const Cell& cell, VertexId q) {
   if (e.size < conflict_exact_below_) {
-    if (e.value == 0.0) return tie(cell, q);
+    if (e.value == 0.0) return conflict_by_tie(cell, q);
     ++stats_.conflict_filter;
     return e.value > 0.0;
   }
@@ -829,13 +778,13 @@ bool Kernel<K>::decide_slowly(Estimate e, const Cell& cell, VertexId q) {
     return closer.value > 0.0;
   }
   const SlowSign slow = slow_conflict_sign(cell, q);
-  if (slow.sign == 0) return tie(cell, q);
+  if (slow.sign == 0) return conflict_by_tie(cell, q);
   ++(slow.stage == Stage::adaptive ? stats_.conflict_adaptive : stats_.conflict_exact);
   return slow.sign > 0;
 }
 
 template <int K>
-bool Kernel<K>::tie(const Cell& cell, VertexId q) {
+bool Kernel<K>::conflict_by_tie(const Cell& cell, VertexId q) {
   ++stats_.conflict_symbolic;
   return perturbed_conflict<K>(
       cell, q, [this](VertexId a, VertexId b) { return before(a, b); }, [this](const Cell& v) { return orient(v); });

@@ -12,15 +12,18 @@
 
 namespace delone {
 
-/// In 3D: what a query sees of the vertices of its cavity. They are numbered as the search comes to them; one that it
-/// comes to again gets another number, which then counts.
-struct Sight {
+/// In 3D: the vertices of a cavity by numbers, in the order in which the search came to them. One that it came to again
+/// got another number, which then counts.
+struct CavityNumbers {
   Buffer<Index> number;  ///< per vertex + 1, the ghost at 0; means something for vertices of the cavity
-  Buffer<Ray<3>> rays;   ///< per number, but for the ghost's
-  std::size_t asked;     ///< tests that rays did not decide
 
-  Index& number_of(VertexId v) { return number.data()[static_cast<Index>(raw(v) + 1)]; }
-  std::size_t memory_bytes() const { return number.capacity() * sizeof(Index) + rays.capacity() * sizeof(Ray<3>); }
+  Index& of(VertexId v) { return number.data()[static_cast<Index>(raw(v) + 1)]; }
+  /// Numbers 0 to 2: vertices 1 to 3 of the cell that the search starts from.
+  void begin(const std::array<VertexId, 4>& start) {
+    for (std::size_t i = 1; i < 4; ++i) of(start[i]) = static_cast<Index>(i - 1);
+  }
+  /// Each cell, the first one too, adds one vertex: opposite the facet by which the search entered it.
+  void add(VertexId v, std::size_t cells_before) { of(v) = static_cast<Index>(cells_before + 3); }
 };
 
 /// In 3D: the facets of a new star by the directed edges of the cavity's boundary.
@@ -63,7 +66,7 @@ struct Hole {
 /// In the plane, an edge that a search has still to cross, seen from beyond, with what the query sees of its ends.
 struct Front {
   FacetId outside;
-  Ray<2> left, right;
+  Ray left, right;
   double turn;  ///< from left to right
 };
 
@@ -98,7 +101,7 @@ struct Scratch {
   Buffer<VertexId> swallowed;  ///< vertices whose whole star lay in the cavity, with weights
   Buffer<VertexId> displaced;  ///< hidden sites of cells that go, where they are known
   Buffer<CellId> removed;      ///< the cells of the cavity, when somebody asked for them
-  Sight sight;
+  CavityNumbers numbers;
   Buffer<EdgeTable> edges;  ///< one in 3D, else none: it is large, and a mesh is moved
   RidgeTable ridges;
   Hole hole;
@@ -124,7 +127,7 @@ struct Scratch {
   void reserve_vertices(int k, std::size_t vertices) {
     if (k != 3) return;
     edges.resize(1);
-    if (sight.number.size() <= vertices) sight.number.resize(vertices + vertices / 2 + 1);
+    if (numbers.number.size() <= vertices) numbers.number.resize(vertices + vertices / 2 + 1);
   }
   /// Room for a star beside the cavity just found, and for telling of both.
   void prepare_star(int dimension, std::size_t slots) {
@@ -134,9 +137,9 @@ struct Scratch {
     reserve_cells(dimension, slots + boundary.size());
   }
   std::size_t memory_bytes() const {
-    return hole.memory_bytes() + marks.capacity() + sight.memory_bytes() + edges.capacity() * sizeof(EdgeTable) +
-           planes.capacity() + ridges.memory_bytes() + fronts.capacity() * sizeof(Front) +
-           (cavity.capacity() + boundary.capacity()) * sizeof(FacetId) +
+    return hole.memory_bytes() + marks.capacity() + numbers.number.capacity() * sizeof(Index) +
+           edges.capacity() * sizeof(EdgeTable) + planes.capacity() + ridges.memory_bytes() +
+           fronts.capacity() * sizeof(Front) + (cavity.capacity() + boundary.capacity()) * sizeof(FacetId) +
            (swallowed.capacity() + displaced.capacity()) * sizeof(VertexId) +
            (created.capacity() + removed.capacity()) * sizeof(CellId);
   }

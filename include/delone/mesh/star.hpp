@@ -81,7 +81,7 @@ inline void fill_by_edge_table(ComplexView<3> complex, VertexId q, Scratch& scra
     std::array<Index, 3> number;
     for (std::size_t i = 0; i < 3; ++i) {
       const VertexId v = complex.vertex(old, corners[i]);
-      number[i] = scratch.sight.number_of(v);
+      number[i] = scratch.numbers.of(v);
       complex.set_incident(v, fresh);
     }
     table.numbers[b] = number;

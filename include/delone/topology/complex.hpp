@@ -114,6 +114,11 @@ class ComplexView {
     std::memcpy(copy.data(), base(c), sizeof copy);
     return copy;
   }
+  std::array<FacetId, kCorners> twins(CellId c) const {
+    std::array<FacetId, kCorners> copy;
+    std::memcpy(copy.data(), base(c) + kCorners, sizeof copy);
+    return copy;
+  }
   VertexId vertex(FacetId f) const { return VertexId{complex_->ids_[place(f)]}; }
   FacetId twin(FacetId f) const { return FacetId{complex_->ids_[place(f) + kCorners]}; }
   bool has(CellId c, VertexId v) const {

@@ -1,0 +1,108 @@
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "delone/mesh/cavity.hpp"
+#include "geometry/four_conflicts.hpp"
+
+namespace delone {
+
+#ifdef DELONE_FOURS
+
+namespace {
+
+/// Which bytes of four facets make a list of those whose bit is set.
+constexpr auto kChosen = [] {
+  std::array<std::array<std::uint8_t, 16>, 16> bytes{};
+  for (unsigned set = 0; set < 16; ++set) {
+    std::size_t to = 0;
+    for (unsigned i = 0; i < 16; ++i) {
+      if ((set >> (i / 4) & 1) != 0) bytes[set][to++] = static_cast<std::uint8_t>(i);
+    }
+  }
+  return bytes;
+}();
+
+/// Appends the facets whose bit is set. There is room for four.
+DELONE_BY_FOURS [[gnu::always_inline]] inline void push_chosen(Refill<FacetId>& list, unsigned chosen,
+                                                               const std::array<FacetId, 4>& facets) {
+  if constexpr (sizeof(facets) == 16) {
+    const __m128i all = _mm_loadu_si128(reinterpret_cast<const __m128i*>(facets.data()));
+    const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(kChosen[chosen].data()));
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(list.place()), _mm_shuffle_epi8(all, bytes));
+    list.keep(static_cast<std::size_t>(std::popcount(chosen)));
+  } else {
+    for (unsigned i = 0; i < 4; ++i) list.push_if((chosen >> i & 1) != 0, facets[i]);
+  }
+}
+
+/// The search in breadth of cavity.hpp, a cell of the cavity at a time.
+DELONE_BY_FOURS void search(ComplexView<3> complex, Kernel<3>& kernel, VertexId q, CellId start, Scratch& scratch) {
+  Refill cavity(scratch.cavity);
+  Refill boundary(scratch.boundary);
+  Scratch::Mark* const marks = scratch.marks.data();
+  FourConflicts conflicts(kernel, q);
+  std::size_t asked = 0;
+  cavity.make_room(1);
+  cavity.push(complex.facet(start, 0));
+  marks[raw(start)] = Scratch::Mark::conflicting;
+  scratch.numbers.begin(complex.vertices(start));
+  for (std::size_t next = 0; next < cavity.size(); ++next) {
+    cavity.make_room(4);
+    boundary.make_room(4);
+    if (next + 2 < cavity.size()) fetch_neighbours(complex, scratch, complex.cell(cavity[next + 2]));
+    const CellId c = complex.cell(cavity[next]);
+    scratch.numbers.add(complex.vertex(cavity[next]), next);
+    const std::array<FacetId, 4> outside = complex.twins(c);
+    std::array<FacetId, 4> inside;
+    std::array<CellId, 4> across;
+    std::array<VertexId, 4> apexes;
+    unsigned known = 0;
+    bool ghosts = complex.is_ghost(c);
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < 4; ++i) {
+      inside[i] = complex.facet(c, static_cast<int>(i));
+      across[i] = complex.cell(outside[i]);
+      apexes[i] = complex.vertex(outside[i]);
+      known |= static_cast<unsigned>(marks[raw(across[i])]) << i;
+      ghosts |= apexes[i] == kGhost;
+    }
+    FourConflicts::Answers answers{};
+    if (!ghosts) [[likely]]
+      answers = conflicts(complex.vertices(c), apexes);
+    unsigned conflict = answers.conflict & answers.sure & ~known;
+    for (unsigned open = ~(answers.sure | known) & 15; open != 0; open &= open - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(open));
+      const bool conflicting = (answers.tie >> i & 1) != 0 ? kernel.conflict_by_tie(complex.vertices(across[i]), q)
+                                                           : in_conflict(complex, kernel, scratch, across[i], q);
+      conflict |= (conflicting ? 1U : 0U) << i;
+      ++asked;
+    }
+    known |= conflict;
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < 4; ++i) marks[raw(across[i])] = static_cast<Scratch::Mark>(known >> i & 1);
+    push_chosen(cavity, conflict, outside);
+    push_chosen(boundary, ~known & 15, inside);
+  }
+  kernel.count_filtered(cavity.size() - 1 + boundary.size() - asked);
+}
+
+}  // namespace
+
+bool find_cavity_by_fours(ComplexView<3> complex, Kernel<3>& kernel, VertexId q, CellId start, Scratch& scratch) {
+  if (!FourConflicts::possible() || kernel.flat()) return false;
+  search(complex, kernel, q, start, scratch);
+  return true;
+}
+
+#else
+
+bool find_cavity_by_fours(ComplexView<3> /*complex*/, Kernel<3>& /*kernel*/, VertexId /*q*/, CellId /*start*/,
+                          Scratch& /*scratch*/) {
+  return false;
+}
+
+#endif
+
+}  // namespace delone
