@@ -6,6 +6,7 @@
 
 #include "base/chunks.hpp"
 #include "delone/base/arithmetic.hpp"
+#include "delone/base/buffer.hpp"
 #include "dual/centres.hpp"
 #include "dual/measure.hpp"
 #include "dual/measure_directly.hpp"
@@ -27,24 +28,24 @@ class PlanarCells {
   /// Returns whether the cell of a site lies in the region; else nothing is measured.
   bool measure(VertexId v, MeasureTable& table) {
     if (complex_.incident_cell(v) == kNoCell) return false;
-    reader_.read(v, star_);
-    const auto is_inside = [](const StarCell& c) { return !c.ghost && c.centre.within; };
-    if (!std::ranges::all_of(star_.cells, is_inside)) return false;
-    const auto corner = [&](std::size_t i) {
-      const Point3& at = star_.at(i == star_.facets.size() ? 0 : i).centre.at;
-      return Place{at[0], at[1]};
+    edges_.clear();
+    const auto add_edge = [&](const StarCell& c, VertexId neighbour, bool has_extent) {
+      if (has_extent) edges_.push_back({{c.centre.at[0], c.centre.at[1]}, neighbour});
+      return !c.ghost && c.centre.within;
     };
+    if (!reader_.turn_in_plane(v, add_edge)) return false;
     MeasureTable::Line& line = table[v];
-    const Place first = corner(0);
+    const Place first = edges_[0].begin;
     Moments<2> moments;
     Place a{};
     double a_squared = 0;
-    for (std::size_t i = 0; i < star_.facets.size(); ++i) {
-      const Place edge = corner(i + 1) - corner(i);  // as long from both sides
-      const Place b = corner(i + 1) - first;
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      const Place& end = edges_[i + 1 == edges_.size() ? 0 : i + 1].begin;
+      const Place edge = end - edges_[i].begin;  // as long from both sides
+      const Place b = end - first;
       const double b_squared = dot(b, b);
       moments.add_simplex(a[0] * edge[1] - a[1] * edge[0], a + b, a_squared + b_squared);
-      table.add_neighbour(line, star_.facets[i].neighbour, frame_.enlarged(length(edge), 1));
+      table.add_neighbour(line, edges_[i].neighbour, frame_.enlarged(length(edge), 1));
       a = b;
       a_squared = b_squared;
     }
@@ -53,11 +54,16 @@ class PlanarCells {
   }
 
  private:
+  struct Edge {
+    Place begin;
+    VertexId neighbour;
+  };
+
   const Complex& complex_;
   const Frame& frame_;
   Centres<2> centres_;
   StarReader<2> reader_;
-  Star star_;
+  Buffer<Edge> edges_;  // counter-clockwise
 };
 
 }  // namespace

@@ -11,40 +11,51 @@
 namespace delone::dual_detail {
 namespace {
 
-/// By neighbour. Most lists are short: there every entry counts those that go before it.
+/// By neighbour. Most lists are short: there each entry is counted at all those that come after it, in loops of known
+/// length.
 void sort_entries(std::span<Index> neighbours, std::span<double> shared) {
-  constexpr std::size_t kShort = 48;
+  constexpr std::size_t kAtOnce = 8;
+  constexpr std::size_t kShort = 6 * kAtOnce;
   const std::size_t n = neighbours.size();
-  std::vector<std::pair<Index, double>> many(n > kShort ? n : 0);
-  std::array<std::pair<Index, double>, kShort> few;
   if (n > kShort) {
-    for (std::size_t i = 0; i < n; ++i) many[i] = {neighbours[i], shared[i]};
-    std::ranges::sort(many);
-  } else {
+    std::vector<std::pair<Index, double>> sorted(n);
+    for (std::size_t i = 0; i < n; ++i) sorted[i] = {neighbours[i], shared[i]};
+    std::ranges::sort(sorted);
+    for (std::size_t i = 0; i < n; ++i) std::tie(neighbours[i], shared[i]) = sorted[i];
+    return;
+  }
+  std::array<Index, kShort> names{}, places;
+  std::array<double, kShort> sizes;
+  std::ranges::copy(neighbours, names.begin());
+  std::ranges::copy(shared, sizes.begin());
+  for (std::size_t begin = 0; begin < n; begin += kAtOnce) {
+    std::fill_n(places.begin() + begin, kAtOnce, 0);
     for (std::size_t i = 0; i < n; ++i) {
-      std::size_t before = 0;
-      for (std::size_t j = 0; j < n; ++j) before += neighbours[j] < neighbours[i] ? 1 : 0;
-      few[before] = {neighbours[i], shared[i]};
+      for (std::size_t j = begin; j < begin + kAtOnce; ++j) places[j] += names[i] < names[j] ? 1 : 0;
     }
   }
-  const auto* const sorted = n > kShort ? many.data() : few.data();
-  for (std::size_t i = 0; i < n; ++i) std::tie(neighbours[i], shared[i]) = sorted[i];
+  for (std::size_t i = 0; i < n; ++i) {
+    neighbours[places[i]] = names[i];
+    shared[places[i]] = sizes[i];
+  }
 }
 
 }  // namespace
 
 /// A cell has at most one neighbour per edge at its site. Entries have their places by row.
 MeasureTable::MeasureTable(const AnyTriangulation& t) : t_(t) {
-  lines_.resize(t.sites().size(), Line{});
-  if (t.affine_dimension() > 0) with_dimension<1>(t.affine_dimension(), [&](auto k) { count_cells<k>(); });
+  Buffer<Index> cells;  // per site
+  cells.resize(t.sites().size(), 0);
+  if (t.affine_dimension() > 0) with_dimension<1>(t.affine_dimension(), [&](auto k) { count_cells<k>(cells); });
+  lines_.resize(t.sites().size());
   std::size_t room = 0;
   for (std::size_t row = 0; row < t.row_count(); ++row) {
     const auto r = static_cast<Index>(row);
     if (t.sites().is_removed(r)) continue;
-    Line& line = lines_[raw(t.sites().vertex(r))];
-    line.begin = room;
-    const std::size_t cells = std::exchange(line.count, 0);
-    room += t.affine_dimension() == 3 && cells > 0 ? cells / 2 + 2 : cells;  // by Euler's formula
+    const VertexId v = t.sites().vertex(r);
+    lines_[raw(v)] = {.begin = room};
+    const std::size_t count = cells[raw(v)];
+    room += t.affine_dimension() == 3 && count > 0 ? count / 2 + 2 : count;  // by Euler's formula
   }
   reserve_large(neighbours_, room);
   reserve_large(shared_, room);
@@ -53,13 +64,13 @@ MeasureTable::MeasureTable(const AnyTriangulation& t) : t_(t) {
 }
 
 template <int K>
-void MeasureTable::count_cells() {
+void MeasureTable::count_cells(Buffer<Index>& cells) const {
   const ConstComplexView<K> complex(t_.complex());
   for (std::size_t i = 0; i < complex.slot_count(); ++i) {
     const CellId c{static_cast<Index>(i)};
     if (!complex.is_live(c)) continue;
     for (const VertexId v : complex.vertices(c)) {
-      if (v != kGhost) ++lines_[raw(v)].count;
+      if (v != kGhost) ++cells[raw(v)];
     }
   }
 }

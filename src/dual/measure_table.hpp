@@ -70,7 +70,7 @@ class MeasureTable {
     std::span<double> shared;
   };
   template <int K>
-  void count_cells();
+  void count_cells(Buffer<Index>& cells) const;
   Entries entries(const Line& line);
   double* shared_with(Index row, Index other);
   void agree();

@@ -70,6 +70,24 @@ class StarReader {
     }
   }
 
+  /// In the plane, counter-clockwise: visit(cell, neighbour, has_extent) for each cell at v. The facet to the neighbour
+  /// begins at its centre; without extent, there is none. Ends and returns false as soon as `visit` does.
+  template <class Visit>
+  [[gnu::always_inline]] bool turn_in_plane(VertexId v, const Visit& visit) requires(K == 2) {
+    StarCell c = star_cell(complex_.incident_cell(v));
+    const CellId first = c.cell;
+    do {
+      // With v in slot i of a positive triangle, the edge to the corner in slot i + 2 follows its centre.
+      const int i = complex_.slot_of(c.cell, v);
+      const VertexId u = complex_.vertex(c.cell, View::turned(i, 2));
+      const FacetId across = complex_.twin(c.cell, View::turned(i, 1));
+      const StarCell next = star_cell(complex_.cell(across));
+      if (!visit(c, u, u != kGhost && !coincide(c, next, complex_.vertex(across)))) return false;
+      c = next;
+    } while (c.cell != first);
+    return true;
+  }
+
  private:
   using View = ConstComplexView<K>;
 
@@ -96,22 +114,14 @@ class StarReader {
     }
   }
 
-  /// Turns about v. With v in slot i of a positive triangle, the edge to the corner in slot i + 2 follows its centre.
   void read_in_plane(VertexId v, Star& star) {
-    StarCell c = star_cell(complex_.incident_cell(v));
-    const CellId first = c.cell;
-    do {
+    turn_in_plane(v, [&](const StarCell& c, VertexId u, bool has_extent) {
       star.cells.push_back(c);
-      const int i = complex_.slot_of(c.cell, v);
-      const VertexId u = complex_.vertex(c.cell, View::turned(i, 2));
-      const FacetId across = complex_.twin(c.cell, View::turned(i, 1));
-      const StarCell next = star_cell(complex_.cell(across));
-      if (u != kGhost && !coincide(c, next, complex_.vertex(across))) {
-        star.ring.push_back(static_cast<std::uint32_t>(star.cells.size() - 1));
-        star.facets.push_back({u, star.ring.size()});
-      }
-      c = next;
-    } while (c.cell != first);
+      if (!has_extent) return true;
+      star.ring.push_back(static_cast<std::uint32_t>(star.cells.size() - 1));
+      star.facets.push_back({u, star.ring.size()});
+      return true;
+    });
   }
 
   /// Reads the link of v, a triangulated sphere, and goes around each of its vertices.
