@@ -1,3 +1,4 @@
+// The search for a cavity in space, four tests at a time.
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -37,7 +38,9 @@ DELONE_BY_FOURS [[gnu::always_inline]] inline void push_chosen(Refill<FacetId>& 
   }
 }
 
-/// The search in breadth of cavity.hpp, a cell of the cavity at a time.
+/// The search in breadth of cavity.hpp, a cell of the cavity at a time: all cells across its facets are tested, also
+/// those known to be in conflict, whose answers are dropped. Where ghosts take part, which is seldom, each is tested
+/// alone; a finite cell's neighbour is a ghost when its apex is.
 DELONE_BY_FOURS void search(ComplexView<3> complex, Kernel<3>& kernel, VertexId q, CellId start, Scratch& scratch) {
   Refill cavity(scratch.cavity);
   Refill boundary(scratch.boundary);
