@@ -2,9 +2,9 @@
 // another vertex, its apex, in place of corner i. What the query sees of the corners is computed once, and so are the
 // minors of the pairs (0, 1) and (2, 3): a cell across lacks one corner, so that one of the pairs stays.
 //
-// Departure, for speed: vector instructions of one family of processors, written out (1.3 times as fast as the test of
-// one cell after the other). The compiler may use them in these functions only; whoever calls them has asked the
-// processor.
+// Departure, for speed: vector instructions of one family of processors, written out (a fifth less time for an
+// insertion than with one cell after the other, bench/DEAD_ENDS.md). The compiler may use them in these functions only;
+// whoever calls them has asked the processor.
 //
 // Error: a term passes 16 roundings, as in kernel.hpp: 3 differences, 5 of the lift, 4 of the two minors, their product
 // and 3 sums; one more with weights. Fused products and sums round less often. Where all numbers are integers times a

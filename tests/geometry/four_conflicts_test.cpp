@@ -157,7 +157,8 @@ TEST(FourConflicts, never_contradict_integers_near_spheres) {
   EXPECT_GT(counts.unsure, 20000);
 }
 
-/// Signed permutations of three integers lie on one sphere. Small ones are told by doubles, large ones are not.
+/// Signed permutations of three integers up to a lie on one sphere. Differences reach 2 a, so squared lengths 12 a^2,
+/// and all terms of a determinant stay below 2^53 while 4.8 (12 a^2)^(5/2) does: for a below 320.
 TEST(FourConflicts, know_ties_of_small_integers) {
   if (!FourConflicts::possible()) GTEST_SKIP() << "not on this processor";
   Random random(3);
@@ -181,6 +182,7 @@ TEST(FourConflicts, know_ties_of_small_integers) {
   }
 }
 
+/// Determinants are about 2^(5 exponent), and bounds never below 2^-447; coordinates of 2^99 and more are untame.
 TEST(FourConflicts, are_not_sure_where_numbers_leave_the_range) {
   if (!FourConflicts::possible()) GTEST_SKIP() << "not on this processor";
   Random random(4);
