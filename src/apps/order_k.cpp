@@ -162,13 +162,13 @@ class Diagram {
     const auto next_edge = [&](FacetId f) {
       return complex.facet(complex.cell(f), complex.turned(complex.slot(f), 1));
     };
-    std::vector<Index> end(3 * complex.slot_count(), kNone);
+    std::vector<Index> end(complex.facet_slots(), kNone);
     std::vector<VertexId> polygon;
     std::vector<FacetId> edges;
-    for (std::size_t i = 0; i < end.size(); ++i) {
-      const FacetId start{static_cast<Index>(i)};
-      const CellId c = complex.cell(start);
-      if (end[i] != kNone || !complex.is_live(c) || complex.is_ghost(c) || !is_outer(start)) continue;
+    for (std::size_t i = 0; i < 3 * complex.slot_count(); ++i) {
+      const CellId c{static_cast<Index>(i / 3)};
+      const FacetId start = complex.facet(c, static_cast<int>(i % 3));
+      if (end[raw(start)] != kNone || !complex.is_live(c) || complex.is_ghost(c) || !is_outer(start)) continue;
       polygon.clear();
       FacetId f = start;
       do {

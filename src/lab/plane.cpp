@@ -57,7 +57,8 @@ void close(View complex, std::span<const FacetId> hull, std::size_t site_count) 
 }
 
 FacetId random_facet(View complex, std::uint64_t number) {
-  return FacetId{static_cast<Index>(number % (3 * complex.slot_count()))};
+  const std::uint64_t place = number % (3 * complex.slot_count());
+  return View::facet(CellId{static_cast<Index>(place / 3)}, static_cast<int>(place % 3));
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ class RadialVoronoi::Builder {
     while (!star_[first].starts_up || star_[before(first)].starts_up) ++first;
     std::rotate(star_.begin(), star_.begin() + static_cast<std::ptrdiff_t>(first), star_.end());
     first_sector_ = d_->sectors_.size();
-    if (std::max(first_sector_ + star_.size(), 3 * cells.slot_count()) > Fate::kNames) {
+    if (std::max(first_sector_ + star_.size(), cells.facet_slots()) > Fate::kNames) {
       throw InputError("too many sites: a radial Voronoi diagram cannot name all their sectors");
     }
     for (std::size_t t = 0; t < star_.size(); ++t) {
@@ -169,8 +169,8 @@ class RadialVoronoi::Builder {
   /// Names the triangle of a half-edge, unless that starts at the ghost.
   void attach(std::size_t t, Part part, FacetId f) {
     if (raw(f) >= triangle_of_.size()) {
-      triangle_of_.reserve_more(3 * complex().slot_count() - triangle_of_.size());
-      triangle_of_.resize(3 * complex().slot_count(), {kNone, Part::inside});
+      triangle_of_.reserve_more(complex().facet_slots() - triangle_of_.size());
+      triangle_of_.resize(complex().facet_slots(), {kNone, Part::inside});
     }
     const bool exists = part == Part::inside || star_[t].neighbour != kGhost;
     triangle_of_[raw(f)] = exists ? Triangle{sector(t), part} : Triangle{kNone, part};

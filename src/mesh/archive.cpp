@@ -297,7 +297,7 @@ void load_duplicates(const Header& header, Reader& from, Mesh& mesh) {
 template <int K>
 void load_cells(const Header& header, Reader& from, Mesh& mesh) {
   constexpr std::size_t kChunk = 4096;
-  constexpr std::size_t kCorners = K + 1;
+  constexpr Index kCorners = K + 1;
   ComplexView<K> complex(mesh.complex);
   mesh.complex.reserve_more(0, header.sites);
   mesh.complex.grow_vertices(header.sites);
@@ -311,7 +311,10 @@ void load_cells(const Header& header, Reader& from, Mesh& mesh) {
       ghosts += complex.vertex(c, j) == kGhost ? 1 : 0;
     }
     require(ghosts == (complex.is_ghost(c) ? 1U : 0U), "the ghost stands in a wrong place (I4)");
-    for (int j = 0; j <= K; ++j) complex.set_twin(c, j, FacetId{ids.get(header.cells * kCorners)});
+    for (int j = 0; j <= K; ++j) {
+      const Index place = ids.get(header.cells * kCorners);
+      complex.set_twin(c, j, complex.facet(CellId{place / kCorners}, static_cast<int>(place % kCorners)));
+    }
     complex.settle(c);
     complex.count_ghost(c);
   }

@@ -12,7 +12,7 @@ namespace {
 /// dimension 3 they are too many to promise.
 void reserve_expected(Complex& complex, std::size_t n, std::size_t vertex_slots) {
   const int k = complex.dimension();
-  const std::size_t nameable = (kNone - 1) / static_cast<std::size_t>(k + 1) - complex.slot_count();
+  const std::size_t nameable = complex.nameable_slots() - complex.slot_count();
   complex.reserve_more(std::min(k <= 3 ? (k == 3 ? 7 * n : 2 * n) + 64 : 64, nameable), vertex_slots);
 }
 

@@ -11,7 +11,7 @@ namespace delone {
 void Complex::reserve_more(std::size_t cells, std::size_t vertex_slots) {
   if (dimension_ >= 0) {
     cells -= std::min(cells, slot_count() - live_);  // those of dead cells are taken first
-    if (slot_count() + cells > kDead / static_cast<std::size_t>(corners())) {
+    if (slot_count() + cells > nameable_slots()) {
       throw InputError("the triangulation needs more cells than ids of this build can name: build with 64-bit ids");
     }
     ids_.reserve_more(cells * stride());
@@ -24,7 +24,7 @@ void Complex::append(const Complex& other, int threads) {
   const std::size_t dead = slot_count() - live_;  // none of these is taken
   reserve_more(other.slot_count() + dead, vertex_slots() + other.vertex_slots());
   const auto cells = static_cast<Index>(slot_count());
-  const auto facets = cells * static_cast<Index>(corners());
+  const auto facets = static_cast<Index>(facet_slots());
   const auto vertices = static_cast<Index>(vertex_slots());
   const auto shifted = [](Index id, Index by) { return id == kNone ? kNone : id + by; };
   const auto width = static_cast<std::size_t>(corners());

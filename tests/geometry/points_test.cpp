@@ -84,7 +84,7 @@ TEST(RequireRowCount, more_rows_than_ids_are_refused_before_any_is_read) {
 #ifdef DELONE_WIDE_IDS
   GTEST_SKIP() << "64-bit ids name more rows than memory holds";
 #else
-  EXPECT_GT(max_row_count(2), 700'000'000U);
+  EXPECT_GT(max_row_count(2), 530'000'000U);
   EXPECT_GT(max_row_count(3), 158'000'000U);
   const std::vector<double> one(8);
   for (int dimension = 1; dimension <= kMaxDimension; ++dimension) {

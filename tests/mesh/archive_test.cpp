@@ -216,7 +216,7 @@ TEST(Archive, wrong_numbers_under_a_right_checksum_are_refused) {
 
 TEST(Archive, a_huge_count_costs_no_memory) {
   auto changed = words(saved(built(uniform(2, 5, 1))));
-  changed[7] = changed[8] = 600'000'000;
+  changed[7] = changed[8] = 500'000'000;
   EXPECT_EQ(complaint(sealed(changed)), "saved triangulation: it is cut off");
   changed[7] = changed[8] = 5;
   changed[10] = 1'000'000'000;

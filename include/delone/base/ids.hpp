@@ -1,5 +1,5 @@
 // Ids are types, so that a cell cannot be used where a vertex is meant.
-// The width is one alias: 32 bits hold about 715 million points in 2D and 158 million in 3D; the preset `wide` has 64.
+// The width is one alias: 32 bits hold about 536 million points in 2D and 158 million in 3D; the preset `wide` has 64.
 #pragma once
 
 #include <cstddef>

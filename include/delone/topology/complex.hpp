@@ -1,14 +1,15 @@
 // A closed simplicial complex as integer arrays: cells as half-facets, one ghost vertex that closes the hull, no
 // numbers.
 //
-// Facet f = cell * (K + 1) + i is the facet of `cell` opposite its i-th vertex; vertex(f) is that vertex, twin(f) the
-// same facet seen from the neighbouring cell. In 2D it is the half-edge, in 3D the half-face; above, nothing changes.
-// A cell is 2 (K + 1) ids in a row, vertices before twins: 24 bytes a triangle, 32 bytes a tetrahedron.
-// The complex stores its own dimension; algorithms see it through ComplexView<K>, where the dimension is constant.
-// Invariants I1 to I4, I8 and I10: INVARIANTS.md.
+// The facet of `cell` opposite its i-th vertex is f = cell * 2^b + i, where b bits hold every i; vertex(f) is that
+// vertex, twin(f) the same facet seen from the neighbouring cell. In 2D it is the half-edge, in 3D the half-face;
+// above, nothing changes. A cell is 2 (K + 1) ids in a row, vertices before twins: 24 bytes a triangle, 32 bytes a
+// tetrahedron. The complex stores its own dimension; algorithms see it through ComplexView<K>, where the dimension is
+// constant. Invariants I1 to I4, I8 and I10: INVARIANTS.md.
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstring>
 #include <type_traits>
@@ -29,6 +30,10 @@ class Complex {
 
   /// Slots of cells, dead ones included: every CellId lies below.
   std::size_t slot_count() const { return dimension_ < 0 ? 0 : ids_.size() / stride(); }
+  /// Every FacetId lies below.
+  std::size_t facet_slots() const { return slot_count() << slot_bits(corners()); }
+  /// How many slots the ids can name.
+  std::size_t nameable_slots() const { return kDead >> slot_bits(corners()); }
   std::size_t live_count() const { return live_; }
   std::size_t ghost_count() const { return ghosts_; }
   std::size_t vertex_slots() const { return incident_.size(); }
@@ -44,8 +49,8 @@ class Complex {
     }
     return false;
   }
-  CellId cell(FacetId f) const { return CellId{raw(f) / static_cast<Index>(corners())}; }
-  int slot(FacetId f) const { return static_cast<int>(raw(f) % static_cast<Index>(corners())); }
+  CellId cell(FacetId f) const { return CellId{raw(f) >> slot_bits(corners())}; }
+  int slot(FacetId f) const { return static_cast<int>(raw(f) & ((Index{1} << slot_bits(corners())) - 1)); }
 
   /// A live cell that has `v`, or kNoCell when `v` is not in the complex. The ghost has one too.
   CellId incident_cell(VertexId v) const { return v == kGhost ? ghost_cell_ : CellId{incident_[raw(v)]}; }
@@ -75,6 +80,7 @@ class Complex {
 
   static constexpr Index kDead = kNone - 1;  // stands in the first vertex of a dead cell
 
+  static constexpr int slot_bits(int corners) { return std::bit_width(static_cast<unsigned>(corners - 1)); }
   std::size_t stride() const { return 2 * static_cast<std::size_t>(corners()); }
 
   int dimension_;
@@ -91,6 +97,7 @@ class Complex {
 template <int K, class C = Complex>
 class ComplexView {
   static constexpr Index kCorners = K + 1;
+  static constexpr int kSlotBits = Complex::slot_bits(K + 1);
   using Id = std::conditional_t<std::is_const_v<C>, const Index, Index>;
 
  public:
@@ -98,14 +105,14 @@ class ComplexView {
     DELONE_ASSERT(complex.dimension() == K, "the view has the dimension of the complex");
   }
 
-  static CellId cell(FacetId f) { return CellId{raw(f) / kCorners}; }
-  static int slot(FacetId f) { return static_cast<int>(raw(f) % kCorners); }
+  static CellId cell(FacetId f) { return CellId{raw(f) >> kSlotBits}; }
+  static int slot(FacetId f) { return static_cast<int>(raw(f) & ((Index{1} << kSlotBits) - 1)); }
   /// The slot `by` places after `slot`, 0 <= by <= K + 1, round and round. Without a branch, as in slot_of.
   static int turned(int slot, int by) {
     const int past = slot + by - (K + 1);
     return past + ((K + 1) & (past >> 31));
   }
-  static FacetId facet(CellId c, int i) { return FacetId{raw(c) * kCorners + static_cast<Index>(i)}; }
+  static FacetId facet(CellId c, int i) { return FacetId{raw(c) << kSlotBits | static_cast<Index>(i)}; }
 
   VertexId vertex(CellId c, int i) const { return VertexId{base(c)[i]}; }
   FacetId twin(CellId c, int i) const { return FacetId{base(c)[kCorners + static_cast<Index>(i)]}; }
@@ -144,6 +151,7 @@ class ComplexView {
   bool is_ghost(CellId c) const { return ghost_slot(c) >= 0; }
   bool is_live(CellId c) const { return *base(c) != Complex::kDead; }
   std::size_t slot_count() const { return complex_->ids_.size() / (2 * std::size_t{kCorners}); }
+  std::size_t facet_slots() const { return slot_count() << kSlotBits; }
   CellId incident_cell(VertexId v) const { return complex_->incident_cell(v); }
   bool has_vertex(VertexId v) const { return incident_cell(v) != kNoCell; }
 
@@ -224,7 +232,9 @@ class ComplexView {
 
  private:
   /// Where the vertex opposite f stands; its twin stands kCorners further.
-  static std::size_t place(FacetId f) { return raw(f) + std::size_t{kCorners} * raw(cell(f)); }
+  static std::size_t place(FacetId f) {
+    return 2 * std::size_t{kCorners} * raw(cell(f)) + static_cast<std::size_t>(slot(f));
+  }
   CellId or_fresh(Index free) const { return free != kNone ? CellId{free} : CellId{static_cast<Index>(slot_count())}; }
   Id* base(CellId c) const { return complex_->ids_.data() + raw(c) * (2 * std::size_t{kCorners}); }
 
