@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -37,8 +38,14 @@ class Knitter {
   using Triangle = Kernel<2>::Cell;
 
  public:
-  /// @param hull  per site, see hull_
-  Knitter(Mesh& mesh, Buffer<FacetId>& hull) : complex_(mesh.complex), kernel_(mesh.sites), hull_(hull.data()) {}
+  /// @param hull  per site, see hull_; set by single()
+  Knitter(Mesh& mesh, Buffer<CellId>& hull) : complex_(mesh.complex), kernel_(mesh.sites), hull_(hull.data()) {}
+
+  /// The part of one site, with its two cells.
+  Part single(VertexId v, CellId last) {
+    hull_[raw(v)] = kNoCell;
+    return {v, v, v, v, last};
+  }
 
   /// One part from two that a line across an axis separates; the sites of b follow those of a.
   Part merge(const Part& a, const Part& b) {
@@ -53,53 +60,43 @@ class Knitter {
     statistics.cells_created += cells_made_;
   }
 
-  /// Counts the ghost cells of the hull, which v is on, and turns each so that the ghost stands last (I4).
-  void settle_hull(VertexId v) {
-    const CellId first = View::cell(hull_[raw(v)]);
+  /// Counts the ghost cells of the hull, which v is on.
+  void count_hull(VertexId v) {
+    const CellId first = hull_[raw(v)];
     CellId c = first;
     do {
-      const int next = View::turned(complex_.slot_of(c, kGhost), 1);
-      const int last = View::turned(next, 1);
-      const Triangle vertices{complex_.vertex(c, next), complex_.vertex(c, last), kGhost};
-      const std::array<FacetId, 3> twins{complex_.twin(c, next), complex_.twin(c, last),
-                                         complex_.twin(c, View::turned(last, 1))};
-      complex_.set_vertices(c, vertices);
-      for (int i = 0; i < 3; ++i) complex_.link(View::facet(c, i), twins[static_cast<std::size_t>(i)]);
       complex_.count_ghost(c);
-      c = View::cell(twins[0]);
+      c = View::cell(complex_.twin(c, kTail));
     } while (c != first);
   }
 
  private:
-  /// A facet as its cell and slot.
-  struct Half {
-    CellId cell;
-    int slot;
-
-    explicit Half(FacetId f) : cell(View::cell(f)), slot(View::slot(f)) {}
-    Half(CellId c, int i) : cell(c), slot(i) {}
-    Half turned(int by) const { return {cell, View::turned(slot, by)}; }
-    FacetId facet() const { return View::facet(cell, slot); }
-  };
+  // The slots of a ghost cell on a hull edge, which leads counter-clockwise from its tail to its head: the ghost stands
+  // last (I4). Opposite the head is the ghost cell on the edge before, opposite the tail that on the edge after.
+  static constexpr int kHead = 0;
+  static constexpr int kTail = 1;
+  static constexpr int kGhostSlot = 2;
 
   /// One side of a seam. Its next hull edge upwards leads from `end` to the candidate for the third corner of the next
-  /// cell. The ghost cell on that edge has the candidate in one slot and, turning on by kEnd and by kGhostEnd, the
-  /// other two corners.
+  /// cell.
   template <bool Left>
   struct Bank {
-    static constexpr int kEnd = Left ? 1 : 2;
-    static constexpr int kGhostEnd = Left ? 2 : 1;
+    static constexpr int kCandidate = Left ? kHead : kTail;  ///< slots of the ghost cell on that edge
+    static constexpr int kEnd = Left ? kTail : kHead;
+    /// The same vertices in the cell inside the edge: so many slots after its third one.
+    static constexpr int kCandidateTurn = Left ? 2 : 1;
+    static constexpr int kEndTurn = Left ? 1 : 2;
 
     VertexId end;
-    bool alone;                     ///< `end` is the whole part: there is no ghost cell
-    Half open;                      ///< of that ghost cell the facet opposite the candidate
-    Half inner;                     ///< the facet below the ghost, from the other side
+    bool alone;                     ///< `end` is the whole part: there is no such edge
+    CellId open;                    ///< the ghost cell on it; opposite the candidate it is linked to what lies below
+    FacetId inner;                  ///< the edge, seen from the cell inside
     VertexId candidate;             ///< this and what follows is known once look() and see() were called
     VertexId beyond;                ///< the corner that would be the candidate if the edge to this one went
     Ray candidate_ray, beyond_ray;  ///< as the left end sees them
     double turn;                    ///< from the right end to the candidate
 
-    Bank(VertexId v, FacetId hull) : end(v), alone(hull == kNoFacet), open(hull), inner(hull) {}
+    Bank(VertexId v, CellId hull) : end(v), alone(hull == kNoCell), open(hull) {}
   };
 
   double x(VertexId v) const { return kernel_.at(v)[0]; }
@@ -123,39 +120,31 @@ class Knitter {
             x_before(lower.right, upper.right) ? upper.right : lower.right, lower.bottom, upper.top, last};
   }
 
-  FacetId twin(Half h) const { return complex_.twin(h.cell, h.slot); }
-  VertexId vertex(Half h) const { return complex_.vertex(h.cell, h.slot); }
-  /// Two halves of one facet.
-  void link(Half a, Half b) {
-    complex_.set_twin(a.cell, a.slot, b.facet());
-    complex_.set_twin(b.cell, b.slot, a.facet());
-  }
-
   /// Knits two parts, from vertices that face each other across the line between them.
   void knit(VertexId left_start, VertexId right_start) {
     Bank<true> left(left_start, hull_[raw(left_start)]);
     Bank<false> right(right_start, hull_[raw(right_start)]);
-    if (!right.alone) right.open = Half(twin(right.open));
+    if (!right.alone) right.open = above(right);
     while (descend(left, left.end, right.end) || descend(right, left.end, right.end)) {
     }
 
     const CellId bottom = spare_;
     complex_.set_vertices(bottom, {right.end, left.end, kGhost});
-    close(left, {bottom, 0});
-    close(right, {bottom, 1});
-    hull_[raw(left.end)] = View::facet(bottom, 0);
-    Half base(bottom, 2);
+    close(left, bottom);
+    close(right, bottom);
+    hull_[raw(left.end)] = bottom;
+    FacetId base = View::facet(bottom, kGhostSlot);
     look(left);
     look(right);
     see(left, left.end);
     see(right, left.end);
     for (;;) {
-      base_ = kernel_.ray(right.end, left.end);
-      const bool left_on = choose(left, left.end, right.end);
-      const bool right_on = choose(right, left.end, right.end);
+      const Ray across = kernel_.ray(right.end, left.end);
+      const bool left_on = choose(left, left.end, right.end, across);
+      const bool right_on = choose(right, left.end, right.end, across);
       if (!left_on && !right_on) break;
       if (left_on &&
-          !(right_on && inside(left.end, right.end, left, right.candidate, right.candidate_ray, right.turn))) {
+          !(right_on && inside(left.end, right.end, across, left, right.candidate, right.candidate_ray, right.turn))) {
         base = attach(left, right.end, base);
         see(left, left.end);
       } else {
@@ -165,33 +154,43 @@ class Knitter {
     }
     const CellId top{raw(spare_) + 1};
     complex_.set_vertices(top, {left.end, right.end, kGhost});
-    link({top, 0}, right.open);
-    link({top, 1}, left.open);
-    link({top, 2}, base);
-    hull_[raw(left.end)] = left.open.facet();
-    hull_[raw(right.end)] = View::facet(top, 0);
+    complex_.link(View::facet(top, kHead), View::facet(right.open, right.kCandidate));
+    complex_.link(View::facet(top, kTail), View::facet(left.open, left.kCandidate));
+    complex_.link(View::facet(top, kGhostSlot), base);
+    hull_[raw(left.end)] = left.open;
+    hull_[raw(right.end)] = top;
     cells_made_ += 2;
+  }
+
+  /// The ghost cells on the next edges down and up a hull.
+  template <bool Left>
+  CellId below(const Bank<Left>& bank) const {
+    return View::cell(complex_.twin(bank.open, bank.kCandidate));
+  }
+  template <bool Left>
+  CellId above(const Bank<Left>& bank) const {
+    return View::cell(complex_.twin(bank.open, bank.kEnd));
   }
 
   /// Moves the end of a bank down its hull if the next vertex lies below the line through both ends.
   template <bool Left>
   bool descend(Bank<Left>& bank, VertexId left, VertexId right) {
     if (bank.alone) return false;
-    const Half below(twin(bank.open));
-    const VertexId next = vertex(below);
-    if (kernel_.orient({left, right, next}) >= 0) return false;
-    bank.end = next;
-    bank.open = below.turned(Bank<Left>::kGhostEnd);
+    const CellId next = below(bank);
+    const VertexId v = complex_.vertex(next, bank.kEnd);
+    if (kernel_.orient({left, right, v}) >= 0) return false;
+    bank.end = v;
+    bank.open = next;
     return true;
   }
 
   /// Links the ghost cell below the seam to the hull of one side; a vertex alone has no hull and stays open upwards.
   template <bool Left>
-  void close(Bank<Left>& bank, Half f) {
+  void close(Bank<Left>& bank, CellId bottom) {
     if (bank.alone) {
-      bank.open = f;
+      bank.open = bottom;
     } else {
-      link(f, Half(twin(bank.open)));
+      complex_.link(View::facet(bottom, bank.kCandidate), View::facet(below(bank), bank.kEnd));
     }
   }
 
@@ -199,9 +198,9 @@ class Knitter {
   template <bool Left>
   void look(Bank<Left>& bank) {
     if (bank.alone) return;
-    bank.candidate = vertex(bank.open);
-    bank.inner = Half(twin(bank.open.turned(Bank<Left>::kGhostEnd)));
-    bank.beyond = vertex(bank.inner);
+    bank.candidate = complex_.vertex(bank.open, bank.kCandidate);
+    bank.inner = complex_.twin(bank.open, kGhostSlot);
+    bank.beyond = complex_.vertex(bank.inner);
   }
   /// How the left end sees them.
   template <bool Left>
@@ -214,91 +213,103 @@ class Knitter {
   /// Makes the candidate of a bank the corner of the cell on the base that no vertex of its side is in conflict with:
   /// edges in its way are deleted. False when nothing of this side is above the base.
   template <bool Left>
-  bool choose(Bank<Left>& bank, VertexId left, VertexId right) {
-    constexpr int kEnd = Bank<Left>::kEnd;
-    constexpr int kGhostEnd = Bank<Left>::kGhostEnd;
+  bool choose(Bank<Left>& bank, VertexId left, VertexId right, const Ray& across) {
     if (bank.alone) return false;
-    bank.turn = base_.turn(bank.candidate_ray);
-    if (kernel_.orient_seen(base_, bank.candidate_ray, bank.turn, [&] {
+    bank.turn = across.turn(bank.candidate_ray);
+    if (kernel_.orient_seen(across, bank.candidate_ray, bank.turn, [&] {
           return Triangle{left, right, bank.candidate};
         }) <= 0)
       return false;
     while (bank.beyond != kGhost) {
-      const double turn = base_.turn(bank.beyond_ray);
-      if (!inside(left, right, bank, bank.beyond, bank.beyond_ray, turn)) return true;
-      // The edge between end and candidate goes; the cell behind it becomes the ghost cell on its upper edge.
-      const Half lower(twin(bank.inner.turned(kGhostEnd)));
-      link(bank.inner, Half(twin(bank.open.turned(kEnd))));
-      link(bank.open.turned(kEnd), bank.inner.turned(kGhostEnd));
-      link(bank.open.turned(kGhostEnd), lower);
-      complex_.set_vertex(bank.inner.cell, bank.inner.turned(kEnd).slot, kGhost);
-      complex_.set_vertex(bank.open.cell, bank.open.slot, bank.beyond);
-      cells_made_ += 2;
-      bank.candidate = bank.beyond;
+      const double turn = across.turn(bank.beyond_ray);
+      if (!inside(left, right, across, bank, bank.beyond, bank.beyond_ray, turn)) return true;
+      delete_edge(bank);
       bank.candidate_ray = bank.beyond_ray;
       bank.turn = turn;
-      bank.inner = lower;
-      bank.beyond = vertex(lower);
       if (bank.beyond != kGhost) bank.beyond_ray = kernel_.ray(bank.beyond, left);
     }
     return true;
   }
 
+  /// The edge between end and candidate goes; the cell inside becomes the ghost cell on its upper edge.
+  template <bool Left>
+  void delete_edge(Bank<Left>& bank) {
+    constexpr int kCandidate = Bank<Left>::kCandidate;
+    constexpr int kEnd = Bank<Left>::kEnd;
+    const CellId open = bank.open;
+    const CellId upper = View::cell(bank.inner);
+    const int slot = View::slot(bank.inner);
+    const FacetId lower_edge = complex_.twin(upper, View::turned(slot, Bank<Left>::kCandidateTurn));
+    const FacetId upper_edge = complex_.twin(upper, View::turned(slot, Bank<Left>::kEndTurn));
+    const CellId next = above(bank);
+    complex_.set_vertex(upper, kCandidate, bank.candidate);
+    complex_.set_vertex(upper, kEnd, bank.beyond);
+    complex_.set_vertex(upper, kGhostSlot, kGhost);
+    complex_.set_vertex(open, kCandidate, bank.beyond);
+    complex_.link(View::facet(upper, kEnd), View::facet(next, kCandidate));
+    complex_.link(View::facet(upper, kCandidate), View::facet(open, kEnd));
+    complex_.link(View::facet(upper, kGhostSlot), upper_edge);
+    complex_.link(View::facet(open, kGhostSlot), lower_edge);
+    cells_made_ += 2;
+    bank.candidate = bank.beyond;
+    bank.inner = lower_edge;
+    bank.beyond = complex_.vertex(lower_edge);
+  }
+
   /// Whether q lies in the circle through the ends and the candidate of a bank.
   template <bool Left>
-  bool inside(VertexId left, VertexId right, const Bank<Left>& bank, VertexId q, const Ray& ray, double turn) {
-    return kernel_.conflict_seen(base_, bank.candidate_ray, ray, bank.turn, bank.candidate_ray.turn(ray), turn, q, [&] {
-      return Triangle{left, right, bank.candidate};
-    });
+  bool inside(VertexId left, VertexId right, const Ray& across, const Bank<Left>& bank, VertexId q, const Ray& ray,
+              double turn) {
+    return kernel_.conflict_seen(across, bank.candidate_ray, ray, bank.turn, bank.candidate_ray.turn(ray), turn, q,
+                                 [&] {
+                                   return Triangle{left, right, bank.candidate};
+                                 });
   }
 
   /// The ghost cell of a bank becomes the cell on the base. Returns the new base.
   template <bool Left>
-  Half attach(Bank<Left>& bank, VertexId other_end, Half base) {
-    const Half next_base = bank.open.turned(Bank<Left>::kEnd);
-    const Half above(twin(next_base));
-    complex_.set_vertex(bank.open.cell, bank.open.turned(Bank<Left>::kGhostEnd).slot, other_end);
-    link(bank.open, base);
+  FacetId attach(Bank<Left>& bank, VertexId other_end, FacetId base) {
+    const CellId made = bank.open;
+    complex_.set_vertex(made, kGhostSlot, other_end);
+    complex_.link(View::facet(made, bank.kCandidate), base);
     bank.end = bank.candidate;
-    bank.open = above;
+    bank.open = above(bank);
     look(bank);
     ++cells_made_;
-    return next_base;
+    return View::facet(made, bank.kEnd);
   }
 
   View complex_;
   Kernel<2> kernel_;
-  FacetId* hull_;   ///< per hull vertex, of the ghost cell on the edge that leaves it counter-clockwise, the facet
-                    ///< between it and the ghost; kNoFacet for a vertex alone
+  CellId* hull_;    ///< per hull vertex the ghost cell on the edge that leaves it; kNoCell for a vertex alone
   CellId spare_{};  ///< two cells that the next merge may use
-  Ray base_{};      ///< the right end as the left one sees it
   std::uint64_t cells_made_ = 0;
 };
 
 constexpr std::size_t kPiece = 1 << 13;  ///< sites that one thread triangulates by itself
 
-/// Merges parts that come one after the other in the order of the curve, each with the cut before it: of two cuts the
-/// deeper one is mended first.
+/// A part, and the depth of the cut before it: of two cuts the deeper one is mended first.
+struct CutPart {
+  Part part;
+  std::uint16_t cut;
+};
+
+/// Merges parts that come one after the other in the order of the curve.
 class Mender {
  public:
   explicit Mender(Knitter& knitter) : knitter_(&knitter) {}
 
-  void add(const Part& part, std::uint16_t cut) {
-    while (parts_.size() > 1 && parts_.back().cut > cut) merge_last();
-    parts_.push_back({part, cut});
+  void add(const CutPart& next) {
+    while (parts_.size() > 1 && parts_.back().cut > next.cut) merge_last();
+    parts_.push_back(next);
   }
-  /// All of them in one.
-  Part finish() {
+  /// All of them in one, with the cut before the first.
+  CutPart finish() {
     while (parts_.size() > 1) merge_last();
-    return std::exchange(parts_, {}).front().part;
+    return std::exchange(parts_, {}).front();
   }
 
  private:
-  struct CutPart {
-    Part part;
-    std::uint16_t cut;
-  };
-
   void merge_last() {
     const Part last = parts_.back().part;
     parts_.pop_back();
@@ -322,17 +333,44 @@ std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut) {
     const Piece piece = open.back();
     open.pop_back();
     const auto inner = cut.subspan(piece.begin + 1, piece.end - piece.begin - 1);
-    const auto cut_most = std::ranges::min_element(inner);
-    if (inner.size() < kPiece || *cut_most == CurveCuts::kSamePlace) {
+    const std::uint16_t most = inner.size() < kPiece ? CurveCuts::kSamePlace : std::ranges::min(inner);
+    if (most == CurveCuts::kSamePlace) {
       done.push_back({piece.begin, piece.end, rank});
       rank += piece.end - piece.begin - static_cast<std::size_t>(std::ranges::count(inner, CurveCuts::kSamePlace));
     } else {
-      const std::size_t middle = piece.begin + 1 + static_cast<std::size_t>(cut_most - inner.begin());
+      const auto at = static_cast<std::size_t>(std::ranges::find(inner, most) - inner.begin());
+      const std::size_t middle = piece.begin + 1 + at;
       open.push_back({middle, piece.end, 0});
       open.push_back({piece.begin, middle, 0});
     }
   }
   return done;
+}
+
+/// Finds an incident cell for every vertex: one made for its own piece, where seams have left it any.
+void settle(ComplexView<2> complex, std::span<const Piece> pieces, int threads) {
+  std::atomic<bool> all{true};
+  for_chunks(
+      pieces.size(), threads,
+      [&](std::size_t, std::size_t, std::size_t p) {
+        const auto [begin, end, rank] = pieces[p];
+        const std::size_t last = p + 1 < pieces.size() ? 2 * pieces[p + 1].rank : complex.slot_count();
+        for (std::size_t c = 2 * rank; c < last; ++c) {
+          for (const VertexId v : complex.vertices(CellId{static_cast<Index>(c)})) {
+            if (raw(v) >= begin && raw(v) < end) complex.set_incident(v, CellId{static_cast<Index>(c)});
+          }
+        }
+        for (std::size_t v = begin; v < end; ++v) {
+          if (!complex.has_vertex(VertexId{static_cast<Index>(v)})) all = false;
+        }
+      },
+      {}, 1);
+  if (all) return;
+  for (std::size_t c = 0; c < complex.slot_count(); ++c) {
+    for (const VertexId v : complex.vertices(CellId{static_cast<Index>(c)})) {
+      if (!complex.has_vertex(v)) complex.set_incident(v, CellId{static_cast<Index>(c)});
+    }
+  }
 }
 
 /// Sites that stand at the place of the one before repeat it, or are repeated by it. Returns how many do not.
@@ -360,11 +398,11 @@ void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, int thre
   mesh.complex.grow_vertices(n);
   ComplexView<2> complex(mesh.complex);
   complex.create_row(2 * mesh.vertex_count - 2);
-  Buffer<FacetId> hull;
-  hull.resize(n, kNoFacet);
+  Buffer<CellId> hull;
+  hull.resize(n);
 
   const std::vector<Piece> pieces = pieces_of(cut);
-  std::vector<Part> parts(pieces.size());
+  std::vector<CutPart> parts(pieces.size());
   std::vector<BuildStatistics> counts(pieces.size());
   const auto triangulate_piece = [&](std::size_t, std::size_t, std::size_t p) {
     Knitter knitter(mesh, hull);
@@ -373,20 +411,37 @@ void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, int thre
     for (std::size_t i = pieces[p].begin; i < pieces[p].end; ++i) {
       if (i > pieces[p].begin && cut[i] == CurveCuts::kSamePlace) continue;
       const VertexId v{static_cast<Index>(i)};
-      mender.add({v, v, v, v, CellId{static_cast<Index>(2 * rank++)}}, cut[i]);
+      mender.add({knitter.single(v, CellId{static_cast<Index>(2 * rank++)}), cut[i]});
     }
     parts[p] = mender.finish();
     knitter.add_to(counts[p]);
   };
   for_chunks(pieces.size(), threads, triangulate_piece, progress, 1);
 
-  Knitter knitter(mesh, hull);
-  Mender mender(knitter);
-  for (std::size_t p = 0; p < pieces.size(); ++p) mender.add(parts[p], cut[pieces[p].begin]);
-  knitter.settle_hull(mender.finish().left);
-  knitter.add_to(counts.front());
+  // Cuts of one depth lie apart, and are mended side by side.
+  while (parts.size() > 1) {
+    const std::uint16_t depth = std::ranges::max(std::span(parts).subspan(1), {}, &CutPart::cut).cut;
+    std::vector<CutPart> rest{parts.front()};
+    std::vector<std::pair<std::size_t, Part>> seconds;  // what goes to which of the rest
+    for (const CutPart& part : std::span(parts).subspan(1)) {
+      if (part.cut == depth) {
+        seconds.emplace_back(rest.size() - 1, part.part);
+      } else {
+        rest.push_back(part);
+      }
+    }
+    const auto mend = [&](std::size_t, std::size_t, std::size_t m) {
+      Knitter knitter(mesh, hull);
+      Part& first = rest[seconds[m].first].part;
+      first = knitter.merge(first, seconds[m].second);
+      knitter.add_to(counts[m]);
+    };
+    for_chunks(seconds.size(), threads, mend, {}, 1);
+    parts = std::move(rest);
+  }
+  Knitter(mesh, hull).count_hull(parts.front().part.left);
   for (const BuildStatistics& count : counts) mesh.statistics += count;
-  for (std::size_t s = 0; s < complex.slot_count(); ++s) complex.settle(CellId{static_cast<Index>(s)});
+  settle(complex, pieces, threads);
 }
 
 }  // namespace delone

@@ -65,6 +65,10 @@ TEST(DivideConquer, cells_do_not_depend_on_the_number_of_threads) {
         same &= one.complex().twin(c, i) == many.complex().twin(c, i);
       }
     }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const VertexId v{static_cast<Index>(i)};
+      same &= one.complex().incident_cell(v) == many.complex().incident_cell(v);
+    }
     EXPECT_TRUE(same) << points.name;
     EXPECT_EQ(broken_invariant(many), "") << points.name;
     EXPECT_EQ(description(one), description(many)) << points.name;
