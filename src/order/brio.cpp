@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <mutex>
 #include <utility>
 
 #include "base/chunks.hpp"
@@ -22,9 +23,11 @@ namespace {
 /// A key above, the row that it belongs to below: what is sorted is one word a point.
 class KeyedRows {
  public:
-  explicit KeyedRows(std::size_t rows)
+  KeyedRows(std::size_t rows, int threads)
       : row_bits_(static_cast<int>(std::bit_width(rows))), words_(rows), scratch_(rows) {
-    for (std::size_t i = 0; i < rows; ++i) words_[i] = i;
+    for_chunks(rows, threads, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t i = begin; i < end; ++i) words_[i] = i;
+    });
   }
 
   std::size_t size() const { return words_.size(); }
@@ -97,18 +100,31 @@ struct Cube {
   double extent = 0.0;
   double scale = 1.0;  // of all numbers here: a half where the extent would overflow
 
-  Cube(PointsView points, std::span<const int> axes, const KeyedRows& rows, std::size_t begin, std::size_t end) {
+  Cube(PointsView points, std::span<const int> axes, const KeyedRows& rows, std::size_t first, std::size_t last,
+       int threads) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     std::array<double, K> high;
-    low.fill(std::numeric_limits<double>::infinity());
-    high.fill(-std::numeric_limits<double>::infinity());
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::span<const double> point = points[rows.row(i)];
-      for (std::size_t j = 0; j < K; ++j) {
-        const double x = point[static_cast<std::size_t>(axes[j])];
-        low[j] = std::min(low[j], x);
-        high[j] = std::max(high[j], x);
+    low.fill(kInfinity);
+    high.fill(-kInfinity);
+    std::mutex mutex;
+    for_chunks(last - first, threads, [&](std::size_t begin, std::size_t end, std::size_t) {
+      std::array<double, K> least, largest;
+      least.fill(kInfinity);
+      largest.fill(-kInfinity);
+      for (std::size_t i = first + begin; i < first + end; ++i) {
+        const std::span<const double> point = points[rows.row(i)];
+        for (std::size_t j = 0; j < K; ++j) {
+          const double x = point[static_cast<std::size_t>(axes[j])];
+          least[j] = std::min(least[j], x);
+          largest[j] = std::max(largest[j], x);
+        }
       }
-    }
+      const std::lock_guard lock(mutex);
+      for (std::size_t j = 0; j < K; ++j) {
+        low[j] = std::min(low[j], least[j]);
+        high[j] = std::max(high[j], largest[j]);
+      }
+    });
     for (std::size_t j = 0; j < K; ++j) {
       if (high[j] - low[j] == std::numeric_limits<double>::infinity()) scale = 0.5;
     }
@@ -118,14 +134,15 @@ struct Cube {
     }
   }
 
-  std::uint64_t distance(std::span<const double> point, std::span<const int> axes, int bits) const {
-    std::array<std::uint32_t, K> cell;
+  /// The grid cell of a point, with so many bits for each coordinate.
+  typename HilbertCurve<K>::Place grid_cell(std::span<const double> point, std::span<const int> axes, int bits) const {
+    typename HilbertCurve<K>::Place cell;
     const auto cells = static_cast<double>(std::uint64_t{1} << bits);
     for (std::size_t j = 0; j < K; ++j) {
       const double share = (point[static_cast<std::size_t>(axes[j])] * scale - low[j]) / extent;  // 0 to 1
       cell[j] = static_cast<std::uint32_t>(std::min(share * cells, cells - 1.0));
     }
-    return HilbertCurve<K>::distance(cell, bits);
+    return cell;
   }
 };
 
@@ -134,6 +151,7 @@ template <int K>
 void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& rows, int rounds, int threads,
                       std::span<std::uint16_t> cuts = {}) {
   constexpr int kWord = 64;                        // more than a key has bits
+  constexpr std::size_t kTogether = 4;             // keys that are computed side by side
   const std::size_t crowd = cuts.empty() ? 3 : 1;  // up to this many points in one grid cell may stay as they are
   struct Job {
     std::size_t begin, end;
@@ -144,32 +162,44 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
   while (!jobs.empty()) {
     const Job job = jobs.back();
     jobs.pop_back();
-    const Cube<K> cube(points, axes, rows, job.begin, job.end);
+    const Cube<K> cube(points, axes, rows, job.begin, job.end, threads);
     if (!(cube.extent > 0.0)) continue;
     const int round_bits = static_cast<int>(std::bit_width(static_cast<unsigned>(job.rounds)));
     const int bits = std::clamp((rows.key_bits() - round_bits) / K, 1, 31);
     DELONE_ASSERT(bits * K + round_bits <= rows.key_bits(), "a key fits beside its row");
     for_chunks(job.end - job.begin, threads, [&](std::size_t begin, std::size_t end, std::size_t) {
-      for (std::size_t i = job.begin + begin; i < job.begin + end; ++i) {
-        const Index row = rows.row(i);
-        const int early = job.rounds == 0 ? 0 : std::min(job.rounds, std::countr_zero(mix(row)) / 3);
-        const std::uint64_t distance = cube.distance(points[row], axes, bits);
-        rows.set_key(i, static_cast<std::uint64_t>(job.rounds - early) << (bits * K) | distance);
+      for (std::size_t i = job.begin + begin; i < job.begin + end; i += kTogether) {
+        const std::size_t count = std::min(kTogether, job.begin + end - i);
+        std::array<typename HilbertCurve<K>::Place, kTogether> cells{};
+        for (std::size_t j = 0; j < count; ++j) cells[j] = cube.grid_cell(points[rows.row(i + j)], axes, bits);
+        const auto distances = HilbertCurve<K>::distances(cells, bits);
+        for (std::size_t j = 0; j < count; ++j) {
+          const int early = job.rounds == 0 ? 0 : std::min(job.rounds, std::countr_zero(mix(rows.row(i + j))) / 3);
+          rows.set_key(i + j, static_cast<std::uint64_t>(job.rounds - early) << (bits * K) | distances[j]);
+        }
       }
     });
     rows.sort(job.begin, job.end, bits * K + round_bits, threads);
-    for (std::size_t begin = job.begin, end; begin < job.end; begin = end) {
-      for (end = begin + 1; end < job.end && rows.key(end) == rows.key(begin);) ++end;
-      if (end - begin > crowd && end - begin < job.end - job.begin) jobs.push_back({begin, end, 0, job.grids + 1});
-      if (cuts.empty() || end == job.end) continue;
-      const int common = std::countl_zero(rows.key(end) ^ rows.key(end - 1));
-      cuts[end] = static_cast<std::uint16_t>(job.grids * kWord + common);
-    }
+    std::mutex mutex;
+    for_chunks(job.end - job.begin, threads, [&](std::size_t chunk_begin, std::size_t chunk_end, std::size_t) {
+      std::size_t begin = job.begin + chunk_begin;
+      while (begin > job.begin && begin < job.begin + chunk_end && rows.key(begin) == rows.key(begin - 1)) ++begin;
+      for (std::size_t end; begin < job.begin + chunk_end; begin = end) {
+        for (end = begin + 1; end < job.end && rows.key(end) == rows.key(begin);) ++end;
+        if (end - begin > crowd && end - begin < job.end - job.begin) {
+          const std::lock_guard lock(mutex);
+          jobs.push_back({begin, end, 0, job.grids + 1});
+        }
+        if (cuts.empty() || begin == job.begin) continue;
+        const int common = std::countl_zero(rows.key(begin) ^ rows.key(begin - 1));
+        cuts[begin] = static_cast<std::uint16_t>(job.grids * kWord + common);
+      }
+    });
   }
 }
 
 std::vector<Index> order_in_rounds(PointsView points, std::span<const int> axes, int rounds, int threads) {
-  KeyedRows rows(points.size());
+  KeyedRows rows(points.size(), threads);
   if (!axes.empty()) {
     with_dimension<1>(static_cast<int>(axes.size()),
                       [&](auto dimension) { sort_along_curve<dimension>(points, axes, rows, rounds, threads); });
@@ -206,7 +236,7 @@ std::vector<Index> curve_order(PointsView points, std::span<const int> axes, int
 }
 
 CurveCuts curve_cuts(PointsView points, std::span<const int> axes, int threads) {
-  KeyedRows rows(points.size());
+  KeyedRows rows(points.size(), threads);
   Buffer<std::uint16_t> cuts;
   cuts.resize(points.size(), CurveCuts::kSamePlace);
   with_dimension<1>(static_cast<int>(axes.size()), [&](auto dimension) {

@@ -1,6 +1,6 @@
 // Position along Hilbert's curve, in any dimension.
 // Source: [Ham06] (compact formulas for the curve's states: an entry corner e and a direction d per level). Up to
-// dimension 3 the states are few, and a table that the compiler fills takes two or three levels in one look-up.
+// dimension 3 the states are few, and a table that the compiler fills takes two or four levels in one look-up.
 #pragma once
 
 #include <array>
@@ -14,20 +14,31 @@ template <int K>
 class HilbertCurve {
   static constexpr unsigned kMask = (1U << K) - 1;
   /// Levels that one look-up takes.
-  static constexpr int kTabled = K == 2 ? 3 : (K == 3 ? 2 : 1);
+  static constexpr int kTabled = K == 2 ? 4 : (K == 3 ? 2 : 1);
 
  public:
+  using Place = std::array<std::uint32_t, K>;
+
   /// Distance along the curve of the grid point `x`, whose coordinates have `bits` bits each; K * bits <= 64.
-  static std::uint64_t distance(const std::array<std::uint32_t, K>& x, int bits) {
-    std::uint64_t h = 0;
-    int level = bits;
+  static std::uint64_t distance(const Place& x, int bits) { return distances(std::array<Place, 1>{x}, bits)[0]; }
+  /// The same of several points: what each waits for, the others fill.
+  template <std::size_t N>
+  static std::array<std::uint64_t, N> distances(const std::array<Place, N>& x, int bits) {
+    std::array<std::uint64_t, N> h{};
     if constexpr (K == 1 || K > 3) {
-      State state{0, 0};
-      while (--level >= 0) h = h << K | advance(state, corner(x, level));
+      std::array<State, N> state{};
+      for (int level = bits; --level >= 0;) {
+        for (std::size_t i = 0; i < N; ++i) h[i] = h[i] << K | advance(state[i], corner(x[i], level));
+      }
     } else {
-      unsigned index = 0;
-      for (; level % kTabled != 0; index = next(kTable<1>, index, h, x, level, 1)) --level;
-      for (; level != 0; index = next(kTable<kTabled>, index, h, x, level, kTabled)) level -= kTabled;
+      std::array<unsigned, N> state{};
+      int level = bits;
+      const auto look_up = [&](const auto& table, int levels) {
+        level -= levels;
+        for (std::size_t i = 0; i < N; ++i) state[i] = next(table, state[i], h[i], x[i], level, levels);
+      };
+      while (level % kTabled != 0) look_up(kTable<1>, 1);
+      while (level != 0) look_up(kTable<kTabled>, kTabled);
     }
     return h;
   }
@@ -59,7 +70,7 @@ class HilbertCurve {
     return w;
   }
 
-  static constexpr unsigned corner(const std::array<std::uint32_t, K>& x, int level) {
+  static constexpr unsigned corner(const Place& x, int level) {
     unsigned corner = 0;
     for (std::size_t j = 0; j < K; ++j) corner |= ((x[j] >> level) & 1U) << j;
     return corner;
@@ -74,7 +85,7 @@ class HilbertCurve {
     std::array<std::uint16_t, kStates << kBits> table{};
     for (unsigned i = 0; i < table.size(); ++i) {
       State s{(i >> kBits) / K, (i >> kBits) % K};
-      std::array<std::uint32_t, K> x;
+      Place x;
       for (std::size_t j = 0; j < K; ++j) x[j] = i >> (static_cast<int>(j) * Levels);
       unsigned h = 0;
       for (int level = Levels - 1; level >= 0; --level) h = h << K | advance(s, corner(x, level));
@@ -84,8 +95,7 @@ class HilbertCurve {
   }();
 
   /// Looks up the bits of x from `level` on, lengthens h by them, and returns the state after them.
-  static unsigned next(const auto& table, unsigned state, std::uint64_t& h, const std::array<std::uint32_t, K>& x,
-                       int level, int levels) {
+  static unsigned next(const auto& table, unsigned state, std::uint64_t& h, const Place& x, int level, int levels) {
     unsigned index = state;
     for (std::size_t j = K; j-- > 0;) index = index << levels | ((x[j] >> level) & ((1U << levels) - 1));
     const unsigned found = table[index];
