@@ -98,6 +98,7 @@ void Sites::append(PointsView points, std::span<const Index> order, Index first_
       if (i + kAhead < order.size()) {
         __builtin_prefetch(points[order[i + kAhead]].data());
         __builtin_prefetch(vertex_of_.data() + first_row + order[i + kAhead], 1);
+        if (weighted_) __builtin_prefetch(points.weights().data() + order[i + kAhead]);
       }
       const VertexId v{static_cast<Index>(first + i)};
       const Index row = first_row + order[i];
