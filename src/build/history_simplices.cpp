@@ -77,7 +77,7 @@ class Simplices {
   }
 
   bool is_active(const Node& node, VertexId s) {
-    return kernel_.conflict(node.plane, s, [&] {
+    return kernel_.conflict(kernel_.sight(node.plane, s), [&] {
       for (std::size_t i = 0; i < kCorners; ++i) {
         if (node.vertices[i] != kGhost) continue;
         Cell beyond = node.vertices;

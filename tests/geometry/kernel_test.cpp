@@ -298,7 +298,9 @@ void expect_new_hyperplane_agrees(int trials) {
     if (outside[K] != kGhost && kernel.exact_orient(outside) <= 0) continue;
     if (kernel.exact_orient(fresh) <= 0 || kernel.slow_conflict_sign(inside, q).sign <= 0) continue;
     if (outside[K] != kGhost && kernel.slow_conflict_sign(outside, q).sign >= 0) continue;
-    const auto plane = kernel.hyperplane(kernel.hyperplane(inside), kernel.hyperplane(outside), q);
+    const auto in = kernel.hyperplane(inside);
+    const auto out = kernel.hyperplane(outside);
+    const auto plane = kernel.hyperplane(in, kernel.sight(in, q), out, kernel.sight(out, q), q);
     const int sign = kernel.filtered_conflict(plane, seen);
     ASSERT_TRUE(sign == Kernel<K>::kUnsure || sign == kernel.slow_conflict_sign(fresh, seen).sign) << trial;
     certain += sign == Kernel<K>::kUnsure ? 0 : 1;

@@ -102,6 +102,11 @@ struct Hyperplane {
   float height;
 };
 
+/// How far above a hyperplane a site lies, in units of `height` above, and a bound on the error of that.
+struct Sight {
+  double value, bound;
+};
+
 /// A site of the plane as another one sees it.
 struct Ray {
   Pair to;
@@ -172,10 +177,11 @@ class Kernel {
   /// Whether the lifted q lies below the hyperplane of a finite, positively oriented cell; ties are broken.
   [[gnu::always_inline]] bool conflict(const Cell& cell, VertexId q) { return decide(estimate(cell, q), cell, q); }
 
-  /// Whether inserting q destroys a cell, finite or ghost, from its hyperplane; where that leaves it open, in_doubt().
+  Sight sight(const Hyperplane<K>& plane, VertexId q) const;
+  /// Whether inserting a site destroys a cell, finite or ghost, whose hyperplane sees it so; where that leaves it open,
+  /// in_doubt().
   template <class F>
-  [[gnu::always_inline]] bool conflict(const Hyperplane<K>& plane, VertexId q, const F& in_doubt) {
-    const Sight s = sight(plane, q);
+  [[gnu::always_inline]] bool conflict(const Sight& s, const F& in_doubt) {
     if (std::abs(s.value) > s.bound) [[likely]] {
       ++stats_.conflict_filter;
       return s.value < 0.0;
@@ -185,8 +191,10 @@ class Kernel {
   [[gnu::noinline]] bool conflict_in_doubt(const Cell& cell, VertexId q) { return decide_slowly({}, cell, q); }
   /// From the coordinates of a cell, finite or ghost; unknown where doubles do not tell it.
   Hyperplane<K> hyperplane(const Cell& cell) const;
-  /// The same for the new cell on the facet between one that q destroys and one that stays, from their hyperplanes.
-  Hyperplane<K> hyperplane(const Hyperplane<K>& inside, const Hyperplane<K>& outside, VertexId q) const;
+  /// The same for the new cell on the facet between one that q destroys and one that stays, from their hyperplanes and
+  /// how these see q.
+  Hyperplane<K> hyperplane(const Hyperplane<K>& inside, const Sight& in, const Hyperplane<K>& outside, const Sight& out,
+                           VertexId q) const;
 
   /// v as `from` sees it.
   [[gnu::always_inline]] Ray ray(VertexId v, VertexId from) const requires(K == 2) {
@@ -323,13 +331,6 @@ class Kernel {
   }
   [[gnu::noinline]] bool decide_slowly(Estimate e, const Cell& cell, VertexId q);
   [[gnu::noinline]] bool conflict_from_coordinates(const Cell& cell, VertexId q) { return conflict(cell, q); }
-
-  /// A site seen from a hyperplane: how far above it, and a bound on the error of that.
-  struct Sight {
-    std::array<Pair, kPairs> difference;  ///< to the origin
-    double value, bound;
-  };
-  Sight sight(const Hyperplane<K>& plane, VertexId q) const;
 
   struct Lift {
     double value, size;
@@ -572,7 +573,7 @@ template <int K>
 // Products of a normal with d round K + 3 times, with the difference and the last sum; l rounds twice in each
 // difference, then at most K + 8 + 4 times.
 template <int K>
-[[gnu::always_inline]] inline typename Kernel<K>::Sight Kernel<K>::sight(const Hyperplane<K>& plane, VertexId q) const {
+[[gnu::always_inline]] inline Sight Kernel<K>::sight(const Hyperplane<K>& plane, VertexId q) const {
   constexpr double kLiftBound = 1.01 * filter::kU * (2 + K + kMaxDimension + 4);
   const double* a = at(plane.origin);
   const double* b = at(q);
@@ -582,7 +583,6 @@ template <int K>
   Pair squares{};
   for (int i = 0; i < kPairs; ++i) {
     const Pair d = load_pair<K>(b, i) - load_pair<K>(a, i);
-    s.difference[static_cast<std::size_t>(i)] = d;
     values += load_pair<K>(plane.normal.data(), i) * d;
     lengths += magnitude(d);
     squares += d * d;
@@ -673,11 +673,10 @@ Hyperplane<K> Kernel<K>::hyperplane(const Cell& cell) const {
 // n_I and n_O come on top. What is then rounded: a / w and b / w 5 times, products with n_I and 2 i s and sums of these
 // 4 times at most.
 template <int K>
-Hyperplane<K> Kernel<K>::hyperplane(const Hyperplane<K>& inside, const Hyperplane<K>& outside, VertexId q) const {
+Hyperplane<K> Kernel<K>::hyperplane(const Hyperplane<K>& inside, const Sight& in, const Hyperplane<K>& outside,
+                                    const Sight& out, VertexId q) const {
   Hyperplane<K> plane{};
   if (other_count_ != 0 || inside.tilt_error == 0.0 || outside.tilt_error == 0.0) return plane;
-  const Sight in = sight(inside, q);
-  const Sight out = sight(outside, q);
   const bool vertical = inside.height + outside.height == 0.0F;
   const double i = vertical ? 1.0 : static_cast<double>(inside.height);
   const double o = vertical ? 1.0 : static_cast<double>(outside.height);
@@ -696,8 +695,8 @@ Hyperplane<K> Kernel<K>::hyperplane(const Hyperplane<K>& inside, const Hyperplan
   for (int j = 0; j < kPairs; ++j) {
     const Pair n_in = load_pair<K>(inside.normal.data(), j);
     const Pair n_out = load_pair<K>(outside.normal.data(), j);
-    const Pair s_in = in_shift * in.difference[static_cast<std::size_t>(j)];
-    const Pair s_out = out_shift * out.difference[static_cast<std::size_t>(j)];
+    const Pair s_in = in_shift * (load_pair<K>(at(q), j) - load_pair<K>(at(inside.origin), j));
+    const Pair s_out = out_shift * (load_pair<K>(at(q), j) - load_pair<K>(at(outside.origin), j));
     const Pair n = a * (n_in + s_in) + b * (n_out + s_out);
     store_pair<K>(n, plane.normal.data(), j);
     turn = larger(turn, magnitude(o * (n_in + s_in) - i * (n_out + s_out)));

@@ -38,20 +38,30 @@ template <int K>
 bool in_conflict(const ComplexView<K>& complex, Kernel<K>& kernel, Scratch& scratch, CellId c, VertexId q);
 
 /// The same where the hyperplane that `scratch` keeps does not tell: it is computed from coordinates, and kept for the
-/// next test.
+/// next test. It sees q as `seen`.
 template <int K>
 [[gnu::noinline]] bool in_conflict_in_doubt(const ComplexView<K>& complex, Kernel<K>& kernel, Scratch& scratch,
-                                            CellId c, VertexId q) {
+                                            CellId c, VertexId q, Sight& seen) {
   const auto v = complex.vertices(c);
   const Hyperplane<K> plane = kernel.hyperplane(v);
   if (plane.tilt_error != 0.0) scratch.plane<K>(c) = plane;
-  return kernel.conflict(plane, q, [&] {
+  seen = kernel.sight(plane, q);
+  return kernel.conflict(seen, [&] {
     if (!complex.is_ghost(c)) return kernel.conflict_in_doubt(v, q);
     return beyond_facet(complex, kernel, c, q, [&](CellId f) { return in_conflict(complex, kernel, scratch, f, q); });
   });
 }
 
-/// The same; above dimension 3 with the hyperplanes that `scratch` keeps.
+/// The same above dimension 3, with the hyperplanes that `scratch` keeps.
+/// @param seen  how the one of c sees q, which its neighbours in the star of q are computed from
+template <int K>
+[[gnu::always_inline]] inline bool in_conflict(const ComplexView<K>& complex, Kernel<K>& kernel, Scratch& scratch,
+                                               CellId c, VertexId q, Sight& seen) {
+  seen = kernel.sight(scratch.plane<K>(c), q);
+  return kernel.conflict(seen, [&] { return in_conflict_in_doubt(complex, kernel, scratch, c, q, seen); });
+}
+
+/// The same in any dimension.
 template <int K>
 [[gnu::always_inline]] inline bool in_conflict(const ComplexView<K>& complex, Kernel<K>& kernel, Scratch& scratch,
                                                CellId c, VertexId q) {
@@ -59,8 +69,8 @@ template <int K>
     const auto below = [&](CellId f) __attribute__((always_inline)) { return kernel.conflict(complex.vertices(f), q); };
     return in_conflict(complex, kernel, c, q, below);
   } else {
-    return kernel.conflict(scratch.plane<K>(c), q,
-                           [&] { return in_conflict_in_doubt(complex, kernel, scratch, c, q); });
+    Sight seen;
+    return in_conflict(complex, kernel, scratch, c, q, seen);
   }
 }
 
@@ -71,7 +81,9 @@ void keep_hyperplanes(const ComplexView<K>& complex, const Kernel<K>& kernel, Ve
     const FacetId inside = scratch.boundary[b];
     const CellId fresh = scratch.created[b];
     const CellId outside = complex.cell(complex.twin(fresh, complex.slot(inside)));
-    scratch.plane<K>(fresh) = kernel.hyperplane(scratch.plane<K>(complex.cell(inside)), scratch.plane<K>(outside), q);
+    const auto& [in, out] = scratch.sights[b];
+    scratch.plane<K>(fresh) =
+        kernel.hyperplane(scratch.plane<K>(complex.cell(inside)), in, scratch.plane<K>(outside), out, q);
   }
 }
 
@@ -101,11 +113,19 @@ template <int K>
 void find_cavity_in_breadth(ComplexView<K> complex, Kernel<K>& kernel, VertexId q, CellId start, Scratch& scratch) {
   Refill cavity(scratch.cavity);
   Refill boundary(scratch.boundary);
+  Refill sights(scratch.sights);                // of the two cells at a facet of the boundary
+  Refill inside_sights(scratch.inside_sights);  // of those in the cavity
   Scratch::Mark* const marks = scratch.marks.data();
   cavity.make_room(1);
   cavity.push(complex.facet(start, 0));
   marks[raw(start)] = Scratch::Mark::conflicting;
   if constexpr (K == 3) scratch.numbers.begin(complex.vertices(start));
+  if constexpr (K > 3) {
+    Sight seen;
+    in_conflict(complex, kernel, scratch, start, q, seen);
+    inside_sights.make_room(1);
+    inside_sights.push(seen);
+  }
   for (std::size_t next = 0; next < cavity.size(); ++next) {
     cavity.make_room(K + 1);
     boundary.make_room(K + 1);
@@ -120,9 +140,21 @@ void find_cavity_in_breadth(ComplexView<K> complex, Kernel<K>& kernel, VertexId 
       outside[count] = complex.twin(c, i);
       count += marks[raw(complex.cell(outside[count]))] == Scratch::Mark::conflicting ? 0 : 1;
     }
+    if constexpr (K > 3) {
+      inside_sights.make_room(K + 1);
+      sights.make_room(K + 1);
+    }
     for (std::size_t i = 0; i < count; ++i) {
       const CellId across = complex.cell(outside[i]);
-      const bool conflicting = in_conflict(complex, kernel, scratch, across, q);
+      bool conflicting = false;
+      if constexpr (K <= 3) {
+        conflicting = in_conflict(complex, kernel, scratch, across, q);
+      } else {
+        Sight seen;
+        conflicting = in_conflict(complex, kernel, scratch, across, q, seen);
+        inside_sights.push_if(conflicting, seen);
+        sights.push_if(!conflicting, {inside_sights[next], seen});
+      }
       marks[raw(across)] = static_cast<Scratch::Mark>(conflicting);
       cavity.push_if(conflicting, outside[i]);
       boundary.push_if(!conflicting, inside[i]);

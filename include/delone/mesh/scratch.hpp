@@ -70,6 +70,11 @@ struct Front {
   double turn;  ///< from left to right
 };
 
+/// Above 3D: how the hyperplanes of the cells at a facet of the cavity's boundary see the new vertex.
+struct FacetSights {
+  Sight inside, outside;
+};
+
 /// Above 3D: the facets of a new star by the ridges of the cavity's boundary, each of which two of them share.
 struct RidgeTable {
   struct Entry {
@@ -105,7 +110,9 @@ struct Scratch {
   Buffer<EdgeTable> edges;  ///< one in 3D, else none: it is large, and a mesh is moved
   RidgeTable ridges;
   Hole hole;
-  Buffer<std::byte> planes;  ///< above 3D, per cell slot a Hyperplane; zero where it is not known
+  Buffer<std::byte> planes;     ///< above 3D, per cell slot a Hyperplane; zero where it is not known
+  Buffer<Sight> inside_sights;  ///< above 3D, how those of the cavity see the new vertex
+  Buffer<FacetSights> sights;   ///< and those of the two cells at each facet of `boundary`
 
   /// Of the hyperplane of a cell of dimension k; none are kept where a test from coordinates is as fast.
   static constexpr std::size_t plane_size(int k) {
@@ -138,8 +145,9 @@ struct Scratch {
   }
   std::size_t memory_bytes() const {
     return hole.memory_bytes() + marks.capacity() + numbers.number.capacity() * sizeof(Index) +
-           edges.capacity() * sizeof(EdgeTable) + planes.capacity() + ridges.memory_bytes() +
-           fronts.capacity() * sizeof(Front) + (cavity.capacity() + boundary.capacity()) * sizeof(FacetId) +
+           edges.capacity() * sizeof(EdgeTable) + planes.capacity() + inside_sights.capacity() * sizeof(Sight) +
+           sights.capacity() * sizeof(FacetSights) + ridges.memory_bytes() + fronts.capacity() * sizeof(Front) +
+           (cavity.capacity() + boundary.capacity()) * sizeof(FacetId) +
            (swallowed.capacity() + displaced.capacity()) * sizeof(VertexId) +
            (created.capacity() + removed.capacity()) * sizeof(CellId);
   }
