@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/groups.hpp"
+#include "base/huge_pages.hpp"
 #include "delone/base/arithmetic.hpp"
 #include "delone/base/buffer.hpp"
 #include "delone/base/dispatch.hpp"
@@ -14,63 +15,85 @@
 namespace delone {
 namespace {
 
-/// A cell under the names of its vertices, ascending; `odd` when sorting them took an odd number of swaps.
-template <int Corners>
+/// A cell under the names of its vertices: ascending, but for the last two, which change places where that makes the
+/// number of swaps even. So the order tells the orientation.
+template <std::size_t Corners>
 struct NamedCell {
   std::array<Index, Corners> names;
   CellId cell;
-  bool odd;
+};
+/// The same, where nobody asks which cell it is: what is sorted is smaller.
+template <std::size_t Corners>
+struct Names {
+  std::array<Index, Corners> names;
 };
 
-/// Without branches, which nobody can predict.
+/// Exchanges two names where a condition, 0 or 1, holds. Without a branch, here and below: nobody can predict it.
+inline void exchange(Index& a, Index& b, Index condition) {
+  const Index difference = (a ^ b) & (0 - condition);
+  a ^= difference;
+  b ^= difference;
+}
 template <std::size_t Corners>
-bool sort_names(std::array<Index, Corners>& names) {
-  bool odd = false;
+void exchange_last(std::array<Index, Corners>& names, Index condition) {
+  if constexpr (Corners >= 2) exchange(names[Corners - 2], names[Corners - 1], condition);
+}
+template <std::size_t Corners>
+std::array<Index, Corners> ascending(std::array<Index, Corners> names) {
+  if constexpr (Corners >= 2) exchange_last(names, names[Corners - 1] < names[Corners - 2] ? 1 : 0);
+  return names;
+}
+
+/// @return 1 if it took an odd number of swaps, else 0
+template <std::size_t Corners>
+Index sort_names(std::array<Index, Corners>& names) {
+  Index odd = 0;
   for (std::size_t sorted = 0; sorted + 1 < Corners; ++sorted) {
     for (std::size_t i = Corners - 1; i > sorted; --i) {
-      const auto [less, more] = std::pair(std::min(names[i - 1], names[i]), std::max(names[i - 1], names[i]));
-      odd ^= less != names[i - 1];
-      names[i - 1] = less;
-      names[i] = more;
+      const Index swapped = names[i] < names[i - 1] ? 1 : 0;
+      exchange(names[i - 1], names[i], swapped);
+      odd ^= swapped;
     }
   }
   return odd;
 }
 
-/// Sorts cells by their names: a counting sort by the first name, then each small group.
-template <int Corners>
-void sort_cells(Buffer<NamedCell<Corners>>& cells, std::size_t name_count) {
-  Buffer<std::size_t> place;  // where the next cell with this first name goes
+/// Gives cells to visit(cell) in the order of their names, which are below name_count: a counting sort by the first
+/// name, then each small group.
+template <class Cell, class Visit>
+void visit_sorted(const Buffer<Cell>& cells, std::size_t name_count, Visit&& visit) {
+  const auto first_name = [](const Cell& cell) { return ascending(cell.names)[0]; };
+  Buffer<Index> place;  // where the next cell with this first name goes
   place.resize(name_count + 1, 0);
-  for (const auto& cell : cells) ++place[cell.names[0] + std::size_t{1}];
+  for (const Cell& cell : cells) ++place[first_name(cell) + std::size_t{1}];
   std::partial_sum(place.begin(), place.end(), place.begin());
-  Buffer<NamedCell<Corners>> sorted(cells.size());
-  for (const auto& cell : cells) sorted[place[cell.names[0]]++] = cell;
-  cells.swap(sorted);
-  auto* first = cells.begin();
+  Buffer<Cell> sorted(cells.size());
+  for (const Cell& cell : cells) sorted[place[first_name(cell)]++] = cell;
+  auto* first = sorted.begin();
   for (std::size_t name = 0; name < name_count; ++name) {
-    auto* const last = cells.begin() + place[name];
-    std::sort(first, last, [](const auto& a, const auto& b) { return a.names < b.names; });
-    first = last;
+    auto* const last = sorted.begin() + place[name];
+    std::sort(first, last, [](const Cell& a, const Cell& b) { return ascending(a.names) < ascending(b.names); });
+    for (; first != last; ++first) visit(*first);
   }
 }
 
-/// The finite cells under names given by name(vertex) < name_count, sorted.
-template <int K, class Name>
-Buffer<NamedCell<K + 1>> named_cells(const AnyTriangulation& t, std::size_t name_count, Name name) {
+/// Gives the finite cells to visit(cell), under names given by name(vertex) < name_count, in their order.
+/// @tparam Cell  NamedCell or Names
+template <template <std::size_t> class Cell, int K, class Name, class Visit>
+void visit_cells(const AnyTriangulation& t, std::size_t name_count, const Name& name, Visit&& visit) {
   const ConstComplexView<K> complex(t.complex());
-  Buffer<NamedCell<K + 1>> cells;
+  Buffer<Cell<K + 1>> cells;
   cells.reserve(t.cell_count());
   for (std::size_t s = 0; s < complex.slot_count(); ++s) {
     const CellId c{static_cast<Index>(s)};
     if (!complex.is_live(c) || complex.is_ghost(c)) continue;
-    NamedCell<K + 1> cell{{}, c, false};
+    Cell<K + 1> cell;
     for (int i = 0; i <= K; ++i) cell.names[static_cast<std::size_t>(i)] = name(complex.vertex(c, i));
-    cell.odd = sort_names(cell.names);
+    exchange_last(cell.names, sort_names(cell.names));
+    if constexpr (requires { cell.cell; }) cell.cell = c;
     cells.push_back(cell);
   }
-  sort_cells(cells, name_count);
-  return cells;
+  visit_sorted(cells, name_count, visit);
 }
 
 /// The neighbours of the cells of a table, in which that of slot s stands at position[s]. Cells are taken by their
@@ -78,15 +101,23 @@ Buffer<NamedCell<K + 1>> named_cells(const AnyTriangulation& t, std::size_t name
 template <int K>
 std::vector<Index> neighbours_in(const CellTable& table, const AnyTriangulation& t, const Buffer<Index>& position) {
   const ConstComplexView<K> complex(t.complex());
-  std::vector<Index> neighbours(table.vertices.size());
+  constexpr std::size_t kAhead = 16;
+  std::vector<Index> neighbours;
+  reserve_large(neighbours, table.vertices.size());
+  neighbours.resize(table.vertices.size());
   for (std::size_t s = 0; s < complex.slot_count(); ++s) {
+    if (s + kAhead < complex.slot_count() && position[s + kAhead] != kNone) {
+      __builtin_prefetch(table.vertices.data() + std::size_t{position[s + kAhead]} * (K + 1));
+      __builtin_prefetch(neighbours.data() + std::size_t{position[s + kAhead]} * (K + 1), 1);
+    }
     if (position[s] == kNone) continue;
     const CellId c{static_cast<Index>(s)};
     const std::size_t first = std::size_t{position[s]} * (K + 1);
     for (int i = 0; i <= K; ++i) {
-      std::size_t at = first;
-      while (table.vertices[at] != t.row(complex.vertex(c, i))) ++at;
-      neighbours[at] = position[raw(complex.cell(complex.twin(c, i)))];
+      const Index row = t.row(complex.vertex(c, i));
+      std::size_t at = 0;
+      for (std::size_t j = 1; j <= K; ++j) at = table.vertices[first + j] == row ? j : at;
+      neighbours[first + at] = position[raw(complex.cell(complex.twin(c, i)))];
     }
   }
   return neighbours;
@@ -94,61 +125,56 @@ std::vector<Index> neighbours_in(const CellTable& table, const AnyTriangulation&
 
 template <int K>
 CellTable cells_of(const AnyTriangulation& t, bool with_neighbours) {
-  const auto sorted = named_cells<K>(t, t.row_count(), [&](VertexId v) { return t.row(v); });
   CellTable table{.corners = K + 1, .vertices = {}, .neighbours = {}};
-  table.vertices.reserve(sorted.size() * (K + 1));
-  for (const auto& [names, cell, odd] : sorted) {
-    auto rows = names;
-    if constexpr (K >= 1) {
-      rows[K - 1] = names[odd ? K : K - 1];
-      rows[K] = names[odd ? K - 1 : K];
-    }
-    table.vertices.insert(table.vertices.end(), rows.begin(), rows.end());
+  reserve_large(table.vertices, t.cell_count() * (K + 1));
+  table.vertices.resize(t.cell_count() * (K + 1));
+  const auto row = [&](VertexId v) { return t.row(v); };
+  auto add = [to = table.vertices.begin()](const auto& cell) mutable { to = std::ranges::copy(cell.names, to).out; };
+  if (!with_neighbours) {
+    visit_cells<Names, K>(t, t.row_count(), row, add);
+    return table;
   }
-  if (with_neighbours) {
-    Buffer<Index> position;
-    position.resize(t.complex().slot_count(), kNone);
-    for (std::size_t i = 0; i < sorted.size(); ++i) position[raw(sorted[i].cell)] = static_cast<Index>(i);
-    table.neighbours = neighbours_in<K>(table, t, position);
-  }
+  Buffer<Index> position;
+  position.resize(t.complex().slot_count(), kNone);
+  Index count = 0;
+  visit_cells<NamedCell, K>(t, t.row_count(), row, [&](const auto& cell) {
+    add(cell);
+    position[raw(cell.cell)] = count++;
+  });
+  table.neighbours = neighbours_in<K>(table, t, position);
   return table;
 }
 
 template <int K>
 std::vector<CellId> cell_ids_of(const AnyTriangulation& t) {
   std::vector<CellId> ids;
-  for (const auto& named : named_cells<K>(t, t.row_count(), [&](VertexId v) { return t.row(v); })) {
-    ids.push_back(named.cell);
-  }
+  ids.reserve(t.cell_count());
+  const auto row = [&](VertexId v) { return t.row(v); };
+  visit_cells<NamedCell, K>(t, t.row_count(), row, [&](const auto& cell) { ids.push_back(cell.cell); });
   return ids;
 }
 
 template <int K>
 CellTable hull_facets_of(const AnyTriangulation& t) {
   const Complex& complex = t.complex();
-  Buffer<NamedCell<K>> facets;
+  Buffer<Names<K>> facets;
   facets.reserve(t.hull_facet_count());
   for (std::size_t s = 0; s < complex.slot_count(); ++s) {
     const CellId c{static_cast<Index>(s)};
     if (!complex.is_live(c) || !complex.is_ghost(c)) continue;
-    NamedCell<K> facet{{}, c, false};
+    Names<K> facet{};
     std::size_t i = 0;
     for (int j = 0; j <= K; ++j) {
       if (complex.vertex(c, j) != kGhost) facet.names[i++] = t.row(complex.vertex(c, j));
     }
     // With the ghost outside and last the cell is positive (I3, I4); the normal goes first, past K - 1 edges.
-    facet.odd = sort_names(facet.names) != (K % 2 == 0);
+    exchange_last(facet.names, sort_names(facet.names) ^ (K % 2 == 0 ? 1 : 0));
     facets.push_back(facet);
   }
-  sort_cells(facets, t.row_count());
   CellTable table{.corners = K, .vertices = {}, .neighbours = {}};
-  for (const auto& facet : facets) {
-    auto rows = facet.names;
-    if constexpr (K >= 2) {
-      if (facet.odd) std::swap(rows[K - 1], rows[K - 2]);
-    }
-    table.vertices.insert(table.vertices.end(), rows.begin(), rows.end());
-  }
+  visit_sorted(facets, t.row_count(), [&](const Names<K>& facet) {
+    table.vertices.insert(table.vertices.end(), facet.names.begin(), facet.names.end());
+  });
   return table;
 }
 
@@ -247,9 +273,10 @@ std::uint64_t canonical_hash(const AnyTriangulation& t) {
   feed(t.cell_count());
   if (t.affine_dimension() < 0) return hash;
   with_dimension(t.affine_dimension(), [&, &ranks = rank, count = distinct](auto k) {
-    for (const auto& cell : named_cells<k>(t, count, [&](VertexId v) { return ranks[raw(v)]; })) {
-      for (const Index name : cell.names) feed(name);
-    }
+    const auto rank_of = [&](VertexId v) { return ranks[raw(v)]; };
+    visit_cells<Names, k>(t, count, rank_of, [&](const auto& cell) {
+      for (const Index name : ascending(cell.names)) feed(name);
+    });
   });
   return hash;
 }
