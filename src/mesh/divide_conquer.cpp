@@ -286,8 +286,6 @@ class Knitter {
   std::uint64_t cells_made_ = 0;
 };
 
-constexpr std::size_t kPiece = 1 << 13;  ///< sites that one thread triangulates by itself
-
 /// A part, and the depth of the cut before it: of two cuts the deeper one is mended first.
 struct CutPart {
   Part part;
@@ -325,7 +323,8 @@ struct Piece {
   std::size_t begin, end, rank;
 };
 
-std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut) {
+/// Boxes of up to `most` sites, or of one place.
+std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut, std::size_t most) {
   std::vector<Piece> done;
   std::vector<Piece> open{{0, cut.size(), 0}};
   std::size_t rank = 0;
@@ -333,12 +332,12 @@ std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut) {
     const Piece piece = open.back();
     open.pop_back();
     const auto inner = cut.subspan(piece.begin + 1, piece.end - piece.begin - 1);
-    const std::uint16_t most = inner.size() < kPiece ? CurveCuts::kSamePlace : std::ranges::min(inner);
-    if (most == CurveCuts::kSamePlace) {
+    const std::uint16_t least_deep = inner.size() < most ? CurveCuts::kSamePlace : std::ranges::min(inner);
+    if (least_deep == CurveCuts::kSamePlace) {
       done.push_back({piece.begin, piece.end, rank});
       rank += piece.end - piece.begin - static_cast<std::size_t>(std::ranges::count(inner, CurveCuts::kSamePlace));
     } else {
-      const auto at = static_cast<std::size_t>(std::ranges::find(inner, most) - inner.begin());
+      const auto at = static_cast<std::size_t>(std::ranges::find(inner, least_deep) - inner.begin());
       const std::size_t middle = piece.begin + 1 + at;
       open.push_back({middle, piece.end, 0});
       open.push_back({piece.begin, middle, 0});
@@ -348,7 +347,7 @@ std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut) {
 }
 
 /// Finds an incident cell for every vertex: one made for its own piece, where seams have left it any.
-void settle(ComplexView<2> complex, std::span<const Piece> pieces, int threads) {
+void settle(ComplexView<2> complex, std::span<const std::uint16_t> cut, std::span<const Piece> pieces, int threads) {
   std::atomic<bool> all{true};
   for_chunks(
       pieces.size(), threads,
@@ -361,7 +360,8 @@ void settle(ComplexView<2> complex, std::span<const Piece> pieces, int threads) 
           }
         }
         for (std::size_t v = begin; v < end; ++v) {
-          if (!complex.has_vertex(VertexId{static_cast<Index>(v)})) all = false;
+          const bool repeats = v > begin && cut[v] == CurveCuts::kSamePlace;
+          if (!repeats && !complex.has_vertex(VertexId{static_cast<Index>(v)})) all = false;
         }
       },
       {}, 1);
@@ -391,7 +391,8 @@ std::size_t set_duplicates_aside(Mesh& mesh, std::span<const std::uint16_t> cut)
 
 }  // namespace
 
-void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, int threads, const Progress& progress) {
+void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, int threads, const Progress& progress,
+                        std::size_t piece) {
   const std::size_t n = mesh.sites.size();
   mesh.vertex_count = set_duplicates_aside(mesh, cut);
   mesh.complex.reserve_more(2 * mesh.vertex_count - 2, n);
@@ -401,7 +402,7 @@ void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, int thre
   Buffer<CellId> hull;
   hull.resize(n);
 
-  const std::vector<Piece> pieces = pieces_of(cut);
+  const std::vector<Piece> pieces = pieces_of(cut, piece);
   std::vector<CutPart> parts(pieces.size());
   std::vector<BuildStatistics> counts(pieces.size());
   const auto triangulate_piece = [&](std::size_t, std::size_t, std::size_t p) {
@@ -441,7 +442,7 @@ void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, int thre
   }
   Knitter(mesh, hull).count_hull(parts.front().part.left);
   for (const BuildStatistics& count : counts) mesh.statistics += count;
-  settle(complex, pieces, threads);
+  settle(complex, cut, pieces, threads);
 }
 
 }  // namespace delone

@@ -7,7 +7,9 @@
 
 #include "delone/base/errors.hpp"
 #include "delone/build/build.hpp"
+#include "delone/geometry/affine.hpp"
 #include "delone/mesh/export.hpp"
+#include "delone/order/brio.hpp"
 #include "support/expectations.hpp"
 #include "support/families.hpp"
 
@@ -72,6 +74,23 @@ TEST(DivideConquer, cells_do_not_depend_on_the_number_of_threads) {
     EXPECT_TRUE(same) << points.name;
     EXPECT_EQ(broken_invariant(many), "") << points.name;
     EXPECT_EQ(description(one), description(many)) << points.name;
+  }
+}
+
+/// Many merges side by side, and seams that leave vertices no cell of their own piece.
+TEST(DivideConquer, small_pieces_lead_to_the_same) {
+  for (const PointSet& points : unweighted_families(2, 2000, 4)) {
+    const AffineHull hull = affine_hull(points.view());
+    if (hull.flat.dimension != 2) continue;
+    const CurveCuts cuts = curve_cuts(points.view(), std::span(hull.flat.axes).first(2));
+    for (const std::size_t piece : {1U, 3U, 50U}) {
+      Mesh mesh(Sites(2, false, hull.flat));
+      mesh.sites.append(points.view(), cuts.order, 0, 1);
+      divide_and_conquer(mesh, {cuts.cut.data(), cuts.cut.size()}, 2, {}, piece);
+      const AnyTriangulation t(std::move(mesh));
+      EXPECT_EQ(broken_invariant(t), "") << points << ", " << piece;
+      EXPECT_EQ(description(t), description(built(points))) << points << ", " << piece;
+    }
   }
 }
 
