@@ -55,7 +55,8 @@ void require_finite(PointsView points) {
 }
 
 std::size_t max_row_count(int dimension) {
-  // Of random points: 1 (1D), 2 (2D), 6.775 (3D); from 4D on measured. A cell takes a power of two of ids of facets.
+  // Of random points: 1 (1D), 2 (2D), 6.775 (3D); from 4D on measured. The ids of its facets are rounded up to a power
+  // of two.
   constexpr std::array<double, kMaxDimension> kCellsPerPoint{1.0, 2.0, 6.775, 31.8, 183.0, 1230.0, 9400.0, 80000.0};
   const auto ids = static_cast<double>(std::bit_ceil(static_cast<unsigned>(dimension + 1)));
   return static_cast<std::size_t>(static_cast<double>(kNone) /

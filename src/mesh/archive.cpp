@@ -244,7 +244,7 @@ Header load_header(Reader& from) {
                             "the number of points");
   require(k == 0 ? header.sites == 0 : header.sites >= k, "the affine dimension does not fit the number of points");
   header.duplicates = from.count(header.sites, "the number of duplicates");
-  header.cells = from.count(k == 0 ? 0 : (kNone - 1) / k, "the number of cells");
+  header.cells = from.count(k == 0 ? 0 : Complex(static_cast<int>(k) - 1).nameable_slots(), "the number of cells");
   return header;
 }
 

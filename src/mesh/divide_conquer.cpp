@@ -346,9 +346,11 @@ std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut, std::size_t mos
   return done;
 }
 
-/// Finds an incident cell for every vertex: one made for its own piece, where seams have left it any.
-void settle(ComplexView<2> complex, std::span<const std::uint16_t> cut, std::span<const Piece> pieces, int threads) {
-  std::atomic<bool> all{true};
+/// Finds an incident cell for every vertex: the last that has it of the cells with the numbers of its own piece; where
+/// seams have left it none of these, the first of all.
+void find_incident_cells(ComplexView<2> complex, std::span<const std::uint16_t> cut, std::span<const Piece> pieces,
+                         int threads) {
+  std::atomic<bool> all_found{true};
   for_chunks(
       pieces.size(), threads,
       [&](std::size_t, std::size_t, std::size_t p) {
@@ -361,11 +363,11 @@ void settle(ComplexView<2> complex, std::span<const std::uint16_t> cut, std::spa
         }
         for (std::size_t v = begin; v < end; ++v) {
           const bool repeats = v > begin && cut[v] == CurveCuts::kSamePlace;
-          if (!repeats && !complex.has_vertex(VertexId{static_cast<Index>(v)})) all = false;
+          if (!repeats && !complex.has_vertex(VertexId{static_cast<Index>(v)})) all_found = false;
         }
       },
       {}, 1);
-  if (all) return;
+  if (all_found) return;
   for (std::size_t c = 0; c < complex.slot_count(); ++c) {
     for (const VertexId v : complex.vertices(CellId{static_cast<Index>(c)})) {
       if (!complex.has_vertex(v)) complex.set_incident(v, CellId{static_cast<Index>(c)});
@@ -419,7 +421,7 @@ void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, int thre
   };
   for_chunks(pieces.size(), threads, triangulate_piece, progress, 1);
 
-  // Cuts of one depth lie apart, and are mended side by side.
+  // Cuts of one depth are mended side by side: between two of them lies one that is less deep, so no part is at both.
   while (parts.size() > 1) {
     const std::uint16_t depth = std::ranges::max(std::span(parts).subspan(1), {}, &CutPart::cut).cut;
     std::vector<CutPart> rest{parts.front()};
@@ -442,7 +444,7 @@ void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, int thre
   }
   Knitter(mesh, hull).count_hull(parts.front().part.left);
   for (const BuildStatistics& count : counts) mesh.statistics += count;
-  settle(complex, cut, pieces, threads);
+  find_incident_cells(complex, cut, pieces, threads);
 }
 
 }  // namespace delone

@@ -15,8 +15,8 @@
 namespace delone {
 namespace {
 
-/// A cell under the names of its vertices: ascending, but for the last two, which change places where that makes the
-/// number of swaps even. So the order tells the orientation.
+/// A cell under the names of its vertices: ascending, but for the last two, which change places where the orientation
+/// asks for it.
 template <std::size_t Corners>
 struct NamedCell {
   std::array<Index, Corners> names;

@@ -180,11 +180,12 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
       }
     });
     rows.sort(job.begin, job.end, bits * K + round_bits, threads);
+    // Rows of one key belong to the chunk in which the first of them stands.
     std::mutex mutex;
-    for_chunks(job.end - job.begin, threads, [&](std::size_t chunk_begin, std::size_t chunk_end, std::size_t) {
-      std::size_t begin = job.begin + chunk_begin;
-      while (begin > job.begin && begin < job.begin + chunk_end && rows.key(begin) == rows.key(begin - 1)) ++begin;
-      for (std::size_t end; begin < job.begin + chunk_end; begin = end) {
+    for_chunks(job.end - job.begin, threads, [&](std::size_t first, std::size_t last, std::size_t) {
+      std::size_t begin = job.begin + first;
+      while (begin > job.begin && begin < job.begin + last && rows.key(begin) == rows.key(begin - 1)) ++begin;
+      for (std::size_t end; begin < job.begin + last; begin = end) {
         for (end = begin + 1; end < job.end && rows.key(end) == rows.key(begin);) ++end;
         if (end - begin > crowd && end - begin < job.end - job.begin) {
           const std::lock_guard lock(mutex);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "delone/geometry/kernel.hpp"
@@ -37,17 +38,24 @@ template <int K, class Below>
 template <int K>
 bool in_conflict(const ComplexView<K>& complex, Kernel<K>& kernel, Scratch& scratch, CellId c, VertexId q);
 
-/// The same where the hyperplane that `scratch` keeps does not tell: it is computed from coordinates, and kept for the
-/// next test. It sees q as `seen`.
+/// How the hyperplane of c sees q, computed from coordinates, and then kept for the next test; as it was `seen` where
+/// coordinates do not tell it. So what was seen belongs to the hyperplane that is kept.
+template <int K>
+[[gnu::noinline]] Sight seen_anew(const ComplexView<K>& complex, const Kernel<K>& kernel, Scratch& scratch, CellId c,
+                                  VertexId q, const Sight& seen) {
+  const Hyperplane<K> plane = kernel.hyperplane(complex.vertices(c));
+  if (plane.tilt_error == 0.0) return seen;
+  scratch.plane<K>(c) = plane;
+  return kernel.sight(plane, q);
+}
+
+/// The same where the hyperplane that `scratch` keeps does not tell.
 template <int K>
 [[gnu::noinline]] bool in_conflict_in_doubt(const ComplexView<K>& complex, Kernel<K>& kernel, Scratch& scratch,
                                             CellId c, VertexId q, Sight& seen) {
-  const auto v = complex.vertices(c);
-  const Hyperplane<K> plane = kernel.hyperplane(v);
-  if (plane.tilt_error != 0.0) scratch.plane<K>(c) = plane;
-  seen = kernel.sight(plane, q);
+  seen = seen_anew(complex, kernel, scratch, c, q, seen);
   return kernel.conflict(seen, [&] {
-    if (!complex.is_ghost(c)) return kernel.conflict_in_doubt(v, q);
+    if (!complex.is_ghost(c)) return kernel.conflict_in_doubt(complex.vertices(c), q);
     return beyond_facet(complex, kernel, c, q, [&](CellId f) { return in_conflict(complex, kernel, scratch, f, q); });
   });
 }
@@ -121,8 +129,8 @@ void find_cavity_in_breadth(ComplexView<K> complex, Kernel<K>& kernel, VertexId 
   marks[raw(start)] = Scratch::Mark::conflicting;
   if constexpr (K == 3) scratch.numbers.begin(complex.vertices(start));
   if constexpr (K > 3) {
-    Sight seen;
-    in_conflict(complex, kernel, scratch, start, q, seen);
+    Sight seen = kernel.sight(scratch.plane<K>(start), q);
+    if (!(std::abs(seen.value) > seen.bound)) seen = seen_anew(complex, kernel, scratch, start, q, seen);
     inside_sights.make_room(1);
     inside_sights.push(seen);
   }

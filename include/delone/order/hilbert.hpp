@@ -21,7 +21,7 @@ class HilbertCurve {
 
   /// Distance along the curve of the grid point `x`, whose coordinates have `bits` bits each; K * bits <= 64.
   static std::uint64_t distance(const Place& x, int bits) { return distances(std::array<Place, 1>{x}, bits)[0]; }
-  /// The same of several points: what each waits for, the others fill.
+  /// The same of several points: the look-ups of one wait for each other, those of the others fill the time.
   template <std::size_t N>
   static std::array<std::uint64_t, N> distances(const std::array<Place, N>& x, int bits) {
     std::array<std::uint64_t, N> h{};
