@@ -221,6 +221,10 @@ TEST(Archive, a_huge_count_costs_no_memory) {
   changed[7] = changed[8] = 5;
   changed[10] = 1'000'000'000;
   EXPECT_EQ(complaint(sealed(changed)), "saved triangulation: an id is out of range");
+  if constexpr (sizeof(Index) == 4) {  // more than four ids of facets each leave room for
+    changed[10] = 1'200'000'000;
+    EXPECT_EQ(complaint(sealed(changed)), "saved triangulation: the number of cells 1200000000 is out of range");
+  }
 }
 
 /// A mesh of triangles whose edges match, and of ghosts on the other edges; nothing else need be right.

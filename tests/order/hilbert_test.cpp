@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <random>
 #include <vector>
 
 namespace delone {
@@ -58,6 +59,23 @@ TEST(Hilbert, a_finer_curve_refines_the_coarser_one) {
     const std::array<std::uint32_t, 3> coarse{x[0] / 2, x[1] / 2, x[2] / 2};
     EXPECT_EQ(HilbertCurve<3>::distance(x, 3) / 8, HilbertCurve<3>::distance(coarse, 2));
   }
+}
+
+template <int K>
+void expect_several_as_each_alone(int bits) {
+  std::mt19937_64 random(K);
+  std::array<typename HilbertCurve<K>::Place, 4> places;
+  for (auto& place : places) {
+    for (std::uint32_t& x : place) x = static_cast<std::uint32_t>(random() & ((std::uint64_t{1} << bits) - 1));
+  }
+  const auto together = HilbertCurve<K>::distances(places, bits);
+  for (std::size_t i = 0; i < places.size(); ++i) EXPECT_EQ(together[i], HilbertCurve<K>::distance(places[i], bits));
+}
+
+TEST(Hilbert, several_points_go_as_each_alone) {
+  for (const int bits : {1, 5, 22, 31}) expect_several_as_each_alone<2>(bits);
+  for (const int bits : {1, 6, 21}) expect_several_as_each_alone<3>(bits);
+  expect_several_as_each_alone<4>(16);
 }
 
 TEST(Hilbert, uses_all_bits_of_long_coordinates) {
