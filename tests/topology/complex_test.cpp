@@ -21,6 +21,12 @@ TEST(Complex, facets_are_numbered_by_cell_and_slot) {
   const Complex complex(3);
   EXPECT_EQ(complex.cell(f), CellId{5});
   EXPECT_EQ(complex.slot(f), 2);
+  EXPECT_EQ(raw(ComplexView<2>::facet(CellId{5}, 2)), 22U);
+  EXPECT_EQ(raw(ComplexView<4>::facet(CellId{5}, 4)), 44U);
+  EXPECT_EQ(raw(ComplexView<0>::facet(CellId{5}, 0)), 5U);
+  EXPECT_GT(Complex(2).nameable_slots(), std::size_t{1} << 29);
+  EXPECT_EQ(Complex().facet_slots(), 0U);
+  EXPECT_EQ(Complex().nameable_slots(), kNone - 1);
 }
 
 TEST(Complex, a_dead_slot_is_used_again_last_in_first_out) {

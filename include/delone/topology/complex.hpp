@@ -80,7 +80,10 @@ class Complex {
 
   static constexpr Index kDead = kNone - 1;  // stands in the first vertex of a dead cell
 
-  static constexpr int slot_bits(int corners) { return std::bit_width(static_cast<unsigned>(corners - 1)); }
+  /// Of a facet's id, those that tell its slot.
+  static constexpr int slot_bits(int corners) {
+    return corners > 0 ? std::bit_width(static_cast<unsigned>(corners - 1)) : 0;
+  }
   std::size_t stride() const { return 2 * static_cast<std::size_t>(corners()); }
 
   int dimension_;
