@@ -76,7 +76,7 @@ AnyTriangulation build(PointsView points, const BuildOptions& options) {
     return triangulated(points, options.threads, options.progress);
   }
   if (options.method == Method::divide_conquer) {
-    const CurveCuts cuts = vertical_cuts(points, std::span(hull.flat.axes).first(2));
+    const CurveCuts cuts = strip_cuts(points, std::span(hull.flat.axes).first(2), options.threads);
     return finished(triangulate_plane(points, hull.flat, cuts, options.threads, options.progress));
   }
   return built_by_method(points, options);

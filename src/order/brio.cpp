@@ -31,48 +31,42 @@ class KeyedRows {
   }
 
   std::size_t size() const { return words_.size(); }
-  int key_bits() const { return 64 - row_bits_; }
+  /// Of a key: so many that on a curve, too, few rows have the same, in whole digits of the sort.
+  int key_bits() const { return std::min(64 - row_bits_, (2 * row_bits_ + 6 + kDigit - 1) / kDigit * kDigit); }
   std::vector<Index> in_order() const {
     std::vector<Index> order(size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = row(i);
     return order;
   }
-  Index row(std::size_t i) const { return static_cast<Index>(words_[i] & ((std::uint64_t{1} << row_bits_) - 1)); }
+  Index row(std::size_t i) const { return row_of(words_[i]); }
   std::uint64_t key(std::size_t i) const { return words_[i] >> row_bits_; }
   void set_key(std::size_t i, std::uint64_t key) { words_[i] = key << row_bits_ | row(i); }
 
-  /// Sorts [begin, end) by the low `bits` bits of the key, which is all that they differ by: first by as many of these
-  /// as tell most of the words apart, then what is still alike by the others.
-  void sort(std::size_t begin, std::size_t end, int bits, int threads) {
-    constexpr std::size_t kFew = 512;
-    if (end - begin < kFew) return std::sort(words_.begin() + begin, words_.begin() + end);
-    const int first = std::min(bits, static_cast<int>(std::bit_width(end - begin)) + 2);
-    const int shift = row_bits_ + bits - first;
-    sort_by_bits(begin, end, shift, first, threads);
-    if (first == bits) return;
-    for (std::size_t alike = begin; begin < end; begin = alike) {
-      while (alike < end && words_[alike] >> shift == words_[begin] >> shift) ++alike;
-      if (alike - begin > 1) sort(begin, alike, bits - first, threads);
-    }
+  /// Sorts [begin, end) by place(row), and equal ones by their rows.
+  void sort_by(std::size_t begin, std::size_t end, const auto& place) {
+    std::ranges::sort(words_.begin() + begin, words_.begin() + end, {},
+                      [&](std::uint64_t word) { return std::pair(place(row_of(word)), word); });
   }
-
- private:
-  /// The same by `bits` bits from `shift` on, at most 11 at a time, least significant first.
-  void sort_by_bits(std::size_t begin, std::size_t end, int shift, int bits, int threads) {
+  /// Sorts [begin, end) by the low `bits` bits of the key, which is all that they differ by, the least significant
+  /// first.
+  void sort(std::size_t begin, std::size_t end, int bits, int threads) {
+    constexpr std::size_t kLeast = 48;
     constexpr std::size_t kShare = 1 << 16;  // of one thread, at least
-    constexpr int kDigit = 11;
-    const int rounds = (bits + kDigit - 1) / kDigit;
+    const std::size_t count = end - begin;
+    if (count < kLeast) return std::sort(words_.begin() + begin, words_.begin() + end);
+    const int digit_bits = count < 4096 ? 8 : kDigit;
+    const int rounds = (bits + digit_bits - 1) / digit_bits;
     const int width = (bits + rounds - 1) / rounds;
     const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
-    const std::size_t count = end - begin;
     const std::size_t share = std::max(kShare, count / static_cast<std::size_t>(std::max(threads, 1)) + 1);
-    std::vector<std::array<std::size_t, 1 << kDigit>> start((count + share - 1) / share);
+    int shift = row_bits_;
+    std::vector<std::vector<std::size_t>> start((count + share - 1) / share, std::vector<std::size_t>(mask + 1));
     std::span<std::uint64_t> from = std::span(words_.data(), words_.size()).subspan(begin, count);
     std::span<std::uint64_t> to = std::span(scratch_.data(), scratch_.size()).subspan(begin, count);
     for (int round = 0; round < rounds; ++round, shift += width) {
       const auto digit = [shift, mask](std::uint64_t word) { return word >> shift & mask; };
       const auto count_digits = [&](std::size_t first, std::size_t last, std::size_t part) {
-        start[part].fill(0);
+        std::ranges::fill(start[part], 0);
         for (std::size_t i = first; i < last; ++i) ++start[part][digit(from[i])];
       };
       const auto move_words = [&](std::size_t first, std::size_t last, std::size_t part) {
@@ -88,6 +82,10 @@ class KeyedRows {
     }
     if (from.data() != words_.data() + begin) std::ranges::copy(from, to.begin());
   }
+
+  Index row_of(std::uint64_t word) const { return static_cast<Index>(word & ((std::uint64_t{1} << row_bits_) - 1)); }
+
+  static constexpr int kDigit = 11;  // bits that are sorted at a time
 
   int row_bits_;
   Buffer<std::uint64_t> words_, scratch_;
@@ -146,6 +144,51 @@ struct Cube {
   }
 };
 
+/// So few rows are parted by a balanced tree of three levels.
+constexpr std::size_t kFew = 8;
+
+/// Sorts up to kFew rows in lexicographic order, from the longest of the first K axes on. Cuts across a later axis are
+/// deeper than all across an earlier one.
+/// @param depth  of the least deep cut  @param cuts  as below
+template <int K>
+void sort_few(PointsView points, std::span<const int> axes, KeyedRows& rows, std::size_t begin, std::size_t end,
+              int depth, std::span<std::uint16_t> cuts) {
+  if (begin == end) return;
+  using Place = std::array<double, kMaxDimension>;
+  std::size_t longest = 0;
+  if constexpr (K > 1) {
+    double length = -1.0;
+    for (std::size_t j = 0; j < K; ++j) {
+      const auto at = [&](std::size_t i) { return points[rows.row(i)][static_cast<std::size_t>(axes[j])]; };
+      double low = at(begin);
+      double high = low;
+      for (std::size_t i = begin + 1; i < end; ++i) {
+        low = std::min(low, at(i));
+        high = std::max(high, at(i));
+      }
+      if (high - low > length) length = high - low, longest = j;
+    }
+  }
+  const auto place = [&](Index row) {
+    Place x{};
+    for (std::size_t j = 0; j < axes.size(); ++j) {
+      const std::size_t axis = j < K ? (longest + j) % K : j;
+      x[j] = points[row][static_cast<std::size_t>(axes[axis])];
+    }
+    return x;
+  };
+  rows.sort_by(begin, end, place);
+  if (cuts.empty()) return;
+  std::array<unsigned, kMaxDimension> steps{};
+  for (std::size_t i = begin + 1; i < end; ++i) {
+    const Place low = place(rows.row(i - 1));
+    const auto axis = static_cast<std::size_t>(std::ranges::mismatch(low, place(rows.row(i))).in1 - low.begin());
+    if (axis == kMaxDimension) continue;  // one place
+    cuts[i] = static_cast<std::uint16_t>(depth + 4 * static_cast<int>(axis) + 3 - std::countr_zero(++steps[axis]));
+  }
+}
+
+/// Sorts rows along the curve through the first K of the axes; those that these do not tell apart, along the next K.
 /// @param cuts  empty, or where to write the depth of the cut before each row (see CurveCuts)
 template <int K>
 void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& rows, int rounds, int threads,
@@ -156,14 +199,23 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
   struct Job {
     std::size_t begin, end;
     int rounds;
-    int grids;  // that its points were sorted on before
+    int grids;         // that its points were sorted on before
+    std::size_t axis;  // the first of the K that are next
   };
-  std::vector<Job> jobs{{0, rows.size(), rounds, 0}};
+  std::vector<Job> jobs{{0, rows.size(), rounds, 0, 0}};
   while (!jobs.empty()) {
     const Job job = jobs.back();
     jobs.pop_back();
-    const Cube<K> cube(points, axes, rows, job.begin, job.end, threads);
-    if (!(cube.extent > 0.0)) continue;
+    if (job.end - job.begin <= kFew) {
+      sort_few<K>(points, axes.subspan(job.axis), rows, job.begin, job.end, job.grids * kWord, cuts);
+      continue;
+    }
+    const std::span<const int> next_axes = axes.subspan(job.axis, K);
+    const Cube<K> cube(points, next_axes, rows, job.begin, job.end, threads);
+    if (!(cube.extent > 0.0)) {
+      if (job.axis + K < axes.size()) jobs.push_back({job.begin, job.end, job.rounds, job.grids, job.axis + K});
+      continue;
+    }
     const int round_bits = static_cast<int>(std::bit_width(static_cast<unsigned>(job.rounds)));
     const int bits = std::clamp((rows.key_bits() - round_bits) / K, 1, 31);
     DELONE_ASSERT(bits * K + round_bits <= rows.key_bits(), "a key fits beside its row");
@@ -171,7 +223,7 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
       for (std::size_t i = job.begin + begin; i < job.begin + end; i += kTogether) {
         const std::size_t count = std::min(kTogether, job.begin + end - i);
         std::array<typename HilbertCurve<K>::Place, kTogether> cells{};
-        for (std::size_t j = 0; j < count; ++j) cells[j] = cube.grid_cell(points[rows.row(i + j)], axes, bits);
+        for (std::size_t j = 0; j < count; ++j) cells[j] = cube.grid_cell(points[rows.row(i + j)], next_axes, bits);
         const auto distances = HilbertCurve<K>::distances(cells, bits);
         for (std::size_t j = 0; j < count; ++j) {
           const int early = job.rounds == 0 ? 0 : std::min(job.rounds, std::countr_zero(mix(rows.row(i + j))) / 3);
@@ -189,7 +241,7 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
         for (end = begin + 1; end < job.end && rows.key(end) == rows.key(begin);) ++end;
         if (end - begin > crowd && end - begin < job.end - job.begin) {
           const std::lock_guard lock(mutex);
-          jobs.push_back({begin, end, 0, job.grids + 1});
+          jobs.push_back({begin, end, 0, job.grids + 1, job.axis});
         }
         if (cuts.empty() || begin == job.begin) continue;
         const int common = std::countl_zero(rows.key(begin) ^ rows.key(begin - 1));
@@ -208,19 +260,13 @@ std::vector<Index> order_in_rounds(PointsView points, std::span<const int> axes,
   return rows.in_order();
 }
 
-/// The place nearest to the middle of rows [begin, end), which are sorted on this axis, where its coordinate grows;
-/// `begin` when it does not.
-std::size_t nearest_step(PointsView points, std::span<const Index> order, std::size_t begin, std::size_t end,
-                         int axis) {
-  const auto grows_at = [&](std::size_t i) {
-    return points[order[i - 1]][static_cast<std::size_t>(axis)] != points[order[i]][static_cast<std::size_t>(axis)];
-  };
-  const std::size_t middle = begin + (end - begin) / 2;
-  for (std::size_t d = 0; d <= end - middle; ++d) {
-    if (d < middle - begin && grows_at(middle - d)) return middle - d;
-    if (d < end - middle && middle + d > begin && grows_at(middle + d)) return middle + d;
-  }
-  return begin;
+template <int K>
+CurveCuts cuts_along_curve(PointsView points, std::span<const int> axes, int threads) {
+  KeyedRows rows(points.size(), threads);
+  Buffer<std::uint16_t> cuts;
+  cuts.resize(points.size(), CurveCuts::kSamePlace);
+  sort_along_curve<K>(points, axes, rows, 0, threads, {cuts.data(), cuts.size()});
+  return {rows.in_order(), std::move(cuts)};
 }
 
 }  // namespace
@@ -237,43 +283,12 @@ std::vector<Index> curve_order(PointsView points, std::span<const int> axes, int
 }
 
 CurveCuts curve_cuts(PointsView points, std::span<const int> axes, int threads) {
-  KeyedRows rows(points.size(), threads);
-  Buffer<std::uint16_t> cuts;
-  cuts.resize(points.size(), CurveCuts::kSamePlace);
-  with_dimension<1>(static_cast<int>(axes.size()), [&](auto dimension) {
-    sort_along_curve<dimension>(points, axes, rows, 0, threads, {cuts.data(), cuts.size()});
-  });
-  return {rows.in_order(), std::move(cuts)};
+  return with_dimension<1>(static_cast<int>(axes.size()),
+                           [&](auto dimension) { return cuts_along_curve<dimension>(points, axes, threads); });
 }
 
-CurveCuts vertical_cuts(PointsView points, std::span<const int> axes) {
-  CurveCuts cuts;
-  cuts.order.resize(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) cuts.order[i] = static_cast<Index>(i);
-  const auto place = [&](Index row) {
-    return std::array{points[row][static_cast<std::size_t>(axes[0])], points[row][static_cast<std::size_t>(axes[1])]};
-  };
-  std::ranges::sort(cuts.order, {}, place);
-  cuts.cut.resize(points.size(), CurveCuts::kSamePlace);
-  struct Part {
-    std::size_t begin, end;
-    std::uint16_t depth;
-  };
-  std::vector<Part> parts{{0, points.size(), 0}};
-  while (!parts.empty()) {
-    const Part part = parts.back();
-    parts.pop_back();
-    std::size_t at = part.begin;
-    for (std::size_t axis = 0; axis < 2 && at == part.begin && part.end - part.begin > 1; ++axis) {
-      at = nearest_step(points, cuts.order, part.begin, part.end, axes[axis]);
-    }
-    if (at == part.begin) continue;  // one place
-    cuts.cut[at] = part.depth;
-    const auto deeper = static_cast<std::uint16_t>(part.depth + 1);
-    parts.push_back({part.begin, at, deeper});
-    parts.push_back({at, part.end, deeper});
-  }
-  return cuts;
+CurveCuts strip_cuts(PointsView points, std::span<const int> axes, int threads) {
+  return cuts_along_curve<1>(points, axes, threads);
 }
 
 }  // namespace delone

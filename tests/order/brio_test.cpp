@@ -111,11 +111,14 @@ TEST(CurveOrder, is_a_permutation_and_visits_near_points_one_after_the_other) {
   }
 }
 
-/// Whether each cut parts what lies before it from what lies behind, on some axis, down to single places.
+/// Whether each cut parts what lies before it from what lies behind, on some axis, down to single places; of the cuts
+/// among some rows in a line one is the least deep.
 bool parts_everything(PointsView points, const CurveCuts& cuts, std::size_t begin, std::size_t end) {
   if (end - begin < 2) return true;
   std::size_t middle = begin + 1;
   for (std::size_t i = begin + 1; i < end; ++i) middle = cuts.cut[i] < cuts.cut[middle] ? i : middle;
+  const auto least_deep = std::count(cuts.cut.begin() + begin + 1, cuts.cut.begin() + end, cuts.cut[middle]);
+  if (least_deep > 1 && cuts.cut[middle] != CurveCuts::kSamePlace) return false;
   const auto coordinate = [&](std::size_t i, std::size_t axis) { return points[cuts.order[i]][axis]; };
   bool parted = false;
   bool one_place = true;
@@ -140,6 +143,52 @@ TEST(CurveCuts, each_parts_the_rows_around_it_across_an_axis) {
       const CurveCuts cuts = curve_cuts(points.view(), all_axes(dimension));
       EXPECT_TRUE(is_permutation_of_rows(cuts.order, points.size())) << points.name;
       EXPECT_TRUE(parts_everything(points.view(), cuts, 0, points.size())) << points.name;
+    }
+  }
+}
+
+TEST(CurveCuts, of_few_rows_too) {
+  for (int dimension = 1; dimension <= 8; ++dimension) {
+    for (std::size_t n = 2; n <= 12; ++n) {
+      for (const PointSet& points : unweighted_families(dimension, n, n)) {
+        const CurveCuts cuts = curve_cuts(points.view(), all_axes(dimension));
+        EXPECT_TRUE(is_permutation_of_rows(cuts.order, points.size())) << points;
+        EXPECT_TRUE(parts_everything(points.view(), cuts, 0, points.size())) << points;
+      }
+    }
+  }
+}
+
+/// On a diagonal of places that eight bits a coordinate do not tell apart, up to a dozen rows each.
+TEST(CurveCuts, crowds_of_every_size_are_parted) {
+  PointSet points{"crowds", 2, {}, {}};
+  Random random(4);
+  for (int crowd = 0; crowd < 200; ++crowd) {
+    for (int i = 0; i < crowd % 13; ++i) {
+      const double x = crowd + std::ldexp(unit_random(random), -20 - crowd % 7);
+      points.coordinates.insert(points.coordinates.end(), {x, i % 3 == 0 ? x : crowd + 0.0});
+    }
+  }
+  const CurveCuts cuts = curve_cuts(points.view(), all_axes(2));
+  EXPECT_TRUE(is_permutation_of_rows(cuts.order, points.size()));
+  EXPECT_TRUE(parts_everything(points.view(), cuts, 0, points.size()));
+  std::vector<Index> order = brio_order(points.view(), all_axes(2));
+  EXPECT_TRUE(is_permutation_of_rows(order, points.size()));
+}
+
+TEST(StripCuts, part_rows_in_lexicographic_order_of_any_axes) {
+  for (const std::size_t n : {2, 5, 9, 80, 3000}) {
+    for (const PointSet& points : unweighted_families(2, n, 3)) {
+      for (const std::vector<int>& axes : {std::vector{0, 1}, std::vector{1, 0}}) {
+        const CurveCuts cuts = strip_cuts(points.view(), axes);
+        EXPECT_TRUE(is_permutation_of_rows(cuts.order, points.size())) << points;
+        EXPECT_TRUE(parts_everything(points.view(), cuts, 0, points.size())) << points;
+        const auto place = [&](Index row) {
+          const auto p = points.view()[row];
+          return std::array{p[static_cast<std::size_t>(axes[0])], p[static_cast<std::size_t>(axes[1])]};
+        };
+        EXPECT_TRUE(std::ranges::is_sorted(cuts.order, {}, place)) << points;
+      }
     }
   }
 }

@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "delone/base/errors.hpp"
-#include "delone/order/brio.hpp"
 #include "support/families.hpp"
 
 namespace delone {
@@ -88,19 +87,6 @@ TEST(Order, quaternary_order_fills_boxes_evenly) {
       ++in_box[box(p[0]) * side + box(p[1])];
     }
     EXPECT_LE(*std::ranges::max_element(in_box), 4) << side;
-  }
-}
-
-TEST(Order, vertical_cuts_part_what_lies_left_from_what_lies_right) {
-  for (const PointSet& points : unweighted_families(2, 80, 3)) {
-    const std::vector<int> axes{0, 1};
-    const CurveCuts cuts = vertical_cuts(points.view(), axes);
-    for (std::size_t i = 1; i < cuts.order.size(); ++i) {
-      const auto a = points.view()[cuts.order[i - 1]];
-      const auto b = points.view()[cuts.order[i]];
-      EXPECT_EQ(cuts.cut[i] == CurveCuts::kSamePlace, std::ranges::equal(a, b)) << points;
-      EXPECT_TRUE(a[0] < b[0] || (a[0] == b[0] && a[1] <= b[1])) << points;
-    }
   }
 }
 

@@ -37,8 +37,8 @@ struct CurveCuts {
 /// @param axes  as above, at least one
 CurveCuts curve_cuts(PointsView points, std::span<const int> axes, int threads = 1);
 
-/// Rows in lexicographic order on two axes, cut into halves of about as many by lines across the first one; where all
-/// rows of a part have the same first coordinate, across the second.
-CurveCuts vertical_cuts(PointsView points, std::span<const int> axes);
+/// The same in lexicographic order on the axes in this order: a tree of strips, each cut in half across the first axis;
+/// rows that it does not tell apart, across the next.
+CurveCuts strip_cuts(PointsView points, std::span<const int> axes, int threads = 1);
 
 }  // namespace delone

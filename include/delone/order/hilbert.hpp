@@ -25,7 +25,9 @@ class HilbertCurve {
   template <std::size_t N>
   static std::array<std::uint64_t, N> distances(const std::array<Place, N>& x, int bits) {
     std::array<std::uint64_t, N> h{};
-    if constexpr (K == 1 || K > 3) {
+    if constexpr (K == 1) {
+      for (std::size_t i = 0; i < N; ++i) h[i] = x[i][0];
+    } else if constexpr (K > 3) {
       std::array<State, N> state{};
       for (int level = bits; --level >= 0;) {
         for (std::size_t i = 0; i < N; ++i) h[i] = h[i] << K | advance(state[i], corner(x[i], level));
