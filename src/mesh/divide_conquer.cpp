@@ -60,16 +60,6 @@ class Knitter {
     statistics.cells_created += cells_made_;
   }
 
-  /// Counts the ghost cells of the hull, which v is on.
-  void count_hull(VertexId v) {
-    const CellId first = hull_[raw(v)];
-    CellId c = first;
-    do {
-      complex_.count_ghost(c);
-      c = View::cell(complex_.twin(c, kTail));
-    } while (c != first);
-  }
-
  private:
   // The slots of a ghost cell on a hull edge, which leads counter-clockwise from its tail to its head: the ghost stands
   // last (I4). Opposite the head is the ghost cell on the edge before, opposite the tail that on the edge after.
@@ -347,32 +337,38 @@ std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut, std::size_t mos
 }
 
 /// Finds an incident cell for every vertex: the last that has it of the cells with the numbers of its own piece; where
-/// seams have left it none of these, the first of all.
-void find_incident_cells(ComplexView<2> complex, std::span<const std::uint16_t> cut, std::span<const Piece> pieces,
-                         int threads) {
+/// seams have left it none of these, the first of all. Returns how many cells are ghosts.
+std::size_t find_incident_cells(ComplexView<2> complex, std::span<const std::uint16_t> cut,
+                                std::span<const Piece> pieces, int threads) {
   std::atomic<bool> all_found{true};
+  std::atomic<std::size_t> ghosts{0};
   for_chunks(
       pieces.size(), threads,
       [&](std::size_t, std::size_t, std::size_t p) {
         const auto [begin, end, rank] = pieces[p];
         const std::size_t last = p + 1 < pieces.size() ? 2 * pieces[p + 1].rank : complex.slot_count();
+        std::size_t ghosts_here = 0;
         for (std::size_t c = 2 * rank; c < last; ++c) {
-          for (const VertexId v : complex.vertices(CellId{static_cast<Index>(c)})) {
-            if (raw(v) >= begin && raw(v) < end) complex.set_incident(v, CellId{static_cast<Index>(c)});
+          const CellId cell{static_cast<Index>(c)};
+          for (const VertexId v : complex.vertices(cell)) {
+            if (raw(v) >= begin && raw(v) < end) complex.set_incident(v, cell);
           }
+          ghosts_here += complex.is_ghost(cell) ? 1 : 0;
         }
+        ghosts += ghosts_here;
         for (std::size_t v = begin; v < end; ++v) {
           const bool repeats = v > begin && cut[v] == CurveCuts::kSamePlace;
           if (!repeats && !complex.has_vertex(VertexId{static_cast<Index>(v)})) all_found = false;
         }
       },
       {}, 1);
-  if (all_found) return;
+  if (all_found) return ghosts;
   for (std::size_t c = 0; c < complex.slot_count(); ++c) {
     for (const VertexId v : complex.vertices(CellId{static_cast<Index>(c)})) {
       if (!complex.has_vertex(v)) complex.set_incident(v, CellId{static_cast<Index>(c)});
     }
   }
+  return ghosts;
 }
 
 /// Sites that stand at the place of the one before repeat it, or are repeated by it. Returns how many do not.
@@ -442,9 +438,8 @@ void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, int thre
     for_chunks(seconds.size(), threads, mend, {}, 1);
     parts = std::move(rest);
   }
-  Knitter(mesh, hull).count_hull(parts.front().part.left);
   for (const BuildStatistics& count : counts) mesh.statistics += count;
-  find_incident_cells(complex, cut, pieces, threads);
+  complex.count_ghosts(find_incident_cells(complex, cut, pieces, threads), hull[raw(parts.front().part.left)]);
 }
 
 }  // namespace delone

@@ -85,7 +85,7 @@ TEST(Method, every_order_leads_to_the_same) {
   }
 }
 
-TEST(Method, divide_and_conquer_with_vertical_cuts) {
+TEST(Method, divide_and_conquer_of_strips) {
   for (const std::size_t n : {3, 4, 5, 8, 20, 60, 300}) {
     for (const PointSet& points : unweighted_families(2, n, n)) {
       expect_face(points, {.method = Method::divide_conquer, .order = Order::lexicographic},

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "delone/base/errors.hpp"
@@ -92,6 +94,52 @@ TEST(DivideConquer, small_pieces_lead_to_the_same) {
       EXPECT_EQ(description(t), description(built(points))) << points << ", " << piece;
     }
   }
+}
+
+/// On an ellipse whose long axis is `axis`, by its own angle, out of order, or in a band around it of this width.
+PointSet around_ellipse(std::size_t n, std::size_t axis, double width) {
+  PointSet points{"ellipse", 2, {}, {}};
+  Random random(11);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 6.283185307179586 * unit_random(random);
+    std::array<double, 2> p;
+    p[axis] = std::cos(angle) + width * unit_random(random);
+    p[1 - axis] = 0.5 * std::sin(angle) + width * unit_random(random);
+    points.coordinates.insert(points.coordinates.end(), p.begin(), p.end());
+  }
+  return points;
+}
+
+/// What boxes and strips do in vain, 25 cells a point and more, is not done.
+TEST(DivideConquer, points_on_a_curve_are_cut_into_strips_across_it) {
+  constexpr std::size_t kCount = 20000;
+  for (const std::size_t axis : {0U, 1U}) {
+    const PointSet points = around_ellipse(kCount, axis, 0.0);
+    expect_incremental(points);
+    EXPECT_LT(built(points).statistics().cells_created, 5 * kCount);
+    PointSet lifted{"in space", 3, {}, {}};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto p = points.view()[i];
+      lifted.coordinates.insert(lifted.coordinates.end(), {7.0, p[0], p[1]});
+    }
+    EXPECT_LT(built(lifted).statistics().cells_created, 5 * kCount);
+  }
+}
+
+TEST(DivideConquer, points_around_a_curve_are_cut_into_boxes) {
+  constexpr std::size_t kCount = 20000;
+  for (const double width : {0.01, 0.1}) {
+    const PointSet points = around_ellipse(kCount, 0, width);
+    expect_incremental(points);
+    EXPECT_LT(built(points).statistics().cells_created, 10 * kCount);
+  }
+}
+
+TEST(DivideConquer, of_a_sample_at_one_place_nothing_is_learnt) {
+  PointSet points{"heap", 2, std::vector<double>(40000, 3.0), {}};
+  points.coordinates.insert(points.coordinates.end(), {4.0, 3.0, 3.0, 5.0});
+  EXPECT_EQ(built(points).cell_count(), 1U);
+  EXPECT_EQ(built(points).vertex_count(), 3U);
 }
 
 TEST(DivideConquer, of_equal_points_the_first_row_is_the_vertex) {

@@ -210,10 +210,12 @@ class ComplexView {
   }
   /// Counts `c`, whose vertices are set, if it is a ghost cell.
   void count_ghost(CellId c) {
-    if (is_ghost(c)) {
-      complex_->ghost_cell_ = c;
-      ++complex_->ghosts_;
-    }
+    if (is_ghost(c)) count_ghosts(1, c);
+  }
+  /// Counts `count` ghost cells, of which c is one.
+  void count_ghosts(std::size_t count, CellId c) {
+    complex_->ghost_cell_ = c;
+    complex_->ghosts_ += count;
   }
   /// Undoes the count; the ids of `c` may then be set anew.
   void discount_ghost(CellId c) { complex_->ghosts_ -= is_ghost(c) ? 1 : 0; }
