@@ -79,19 +79,13 @@ struct FacetSights {
 struct RidgeTable {
   struct Entry {
     std::uint32_t key;  ///< 0 where there is none
-    Index facets;       ///< the exclusive or of those met so far
+    FacetId facet;      ///< the last one met
   };
-  Buffer<Entry> entries;        ///< a power of two
-  Buffer<std::uint32_t> place;  ///< of each facet's ridge, K in a row for each new cell
+  Buffer<Entry> entries;  ///< a power of two
 
   /// For as many facets; no more than half of the entries will be taken.
-  void reserve(std::size_t facets) {
-    entries.resize(std::bit_ceil(facets));
-    place.resize(facets);
-  }
-  std::size_t memory_bytes() const {
-    return entries.capacity() * sizeof(Entry) + place.capacity() * sizeof(std::uint32_t);
-  }
+  void reserve(std::size_t facets) { entries.resize(std::bit_ceil(facets)); }
+  std::size_t memory_bytes() const { return entries.capacity() * sizeof(Entry); }
 };
 
 struct Scratch {
@@ -126,9 +120,11 @@ struct Scratch {
   /// Marks and hyperplanes for cells below `slots`.
   void reserve_cells(int k, std::size_t slots) {
     if (slots <= marks.size()) return;
+    slots += slots / 16;  // no more: fresh memory takes its time when it is first written
     marks.reserve_more(slots - marks.size());
-    planes.resize(marks.capacity() * plane_size(k), std::byte{0});
-    marks.resize(marks.capacity(), Mark::none);
+    planes.reserve(marks.capacity() * plane_size(k));
+    planes.resize(slots * plane_size(k), std::byte{0});
+    marks.resize(slots, Mark::none);
   }
   /// For searches among vertices below `vertices`.
   void reserve_vertices(int k, std::size_t vertices) {

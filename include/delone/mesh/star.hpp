@@ -106,13 +106,13 @@ inline std::uint64_t name(VertexId v) {
   return x * 0xD6E8'FEB8'6659'FD93U;
 }
 
-/// Above 3D: a table of ridges by their names holds the facets at each, of which there are two. Names are not compared
-/// with vertices: if two ridges had one name, there would be fewer names than ridges, and only then is the answer
-/// false. Whether a facet is the first or the second at its ridge steers no branch.
+/// Above 3D: a table of ridges by their names holds the last facet met at each, of which there are two. Names are not
+/// compared with vertices: if two ridges had one name, there would be fewer names than ridges, and only then is the
+/// answer false. Whether a facet is the first or the second at its ridge steers no branch: the first is linked to
+/// itself until the second comes.
 template <int K>
 bool link_by_ridge_table(ComplexView<K> complex, VertexId q, Scratch& scratch) {
   RidgeTable::Entry* const entries = scratch.ridges.entries.data();
-  std::uint32_t* place = scratch.ridges.place.data();
   const std::size_t mask = scratch.ridges.entries.size() - 1;
   const int shift = 64 - std::popcount(mask);
   std::memset(entries, 0, (mask + 1) * sizeof *entries);
@@ -130,24 +130,17 @@ bool link_by_ridge_table(ComplexView<K> complex, VertexId q, Scratch& scratch) {
       const std::uint32_t key = static_cast<std::uint32_t>(ridge) | 1;
       std::size_t e = ridge >> shift;
       while (std::min(entries[e].key, entries[e].key ^ key) != 0) e = (e + 1) & mask;  // neither free nor its own
-      ridges += entries[e].key == 0 ? 1 : 0;
-      entries[e].key = key;
-      entries[e].facets ^= raw(complex.facet(fresh, slot));
-      *place++ = static_cast<std::uint32_t>(e);
-    }
-  }
-  if (2 * ridges != scratch.created.size() * K) return false;
-  place = scratch.ridges.place.data();
-  for (std::size_t b = 0; b < scratch.created.size(); ++b) {
-    const CellId fresh = scratch.created[b];
-    const int apex = complex.slot(scratch.boundary[b]);
-    for (int i = 1; i <= K; ++i) {
-      const int slot = complex.turned(apex, i);
-      complex.set_twin(fresh, slot, FacetId{entries[*place++].facets ^ raw(complex.facet(fresh, slot))});
+      const bool first = entries[e].key == 0;
+      const FacetId facet = complex.facet(fresh, slot);
+      const FacetId other{raw(entries[e].facet) | (raw(facet) & (Index{0} - Index{first}))};  // a free entry holds 0
+      complex.set_twin(facet, other);
+      complex.set_twin(other, facet);
+      entries[e] = {key, facet};
+      ridges += first ? 1 : 0;
     }
   }
   complex.set_incident(q, scratch.created.front());
-  return true;
+  return 2 * ridges == scratch.created.size() * K;
 }
 
 }  // namespace star
