@@ -56,8 +56,23 @@ TEST(DivideConquer, agrees_on_two_lines_across_which_every_edge_of_a_part_goes) 
   expect_incremental(points);
 }
 
+/// At random angles on an ellipse whose long axis is `axis`, or in a band of this width beside it.
+PointSet around_ellipse(std::size_t n, std::size_t axis, double width) {
+  PointSet points{"ellipse", 2, {}, {}};
+  Random random(11);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 6.283185307179586 * unit_random(random);
+    std::array<double, 2> p;
+    p[axis] = std::cos(angle) + width * unit_random(random);
+    p[1 - axis] = 0.5 * std::sin(angle) + width * unit_random(random);
+    points.coordinates.insert(points.coordinates.end(), p.begin(), p.end());
+  }
+  return points;
+}
+
 TEST(DivideConquer, cells_do_not_depend_on_the_number_of_threads) {
-  for (const PointSet& points : {uniform(2, 60000, 1), lattice(2, 60000, 250, 2), circle_of_24_bits(2, 40000, 3)}) {
+  for (const PointSet& points : {uniform(2, 60000, 1), lattice(2, 60000, 250, 2), circle_of_24_bits(2, 40000, 3),
+                                 around_ellipse(60000, 1, 0.0)}) {
     const AnyTriangulation one = build(points.view(), {.threads = 1});
     const AnyTriangulation many = build(points.view(), {.threads = 3});
     ASSERT_EQ(one.complex().slot_count(), many.complex().slot_count());
@@ -94,20 +109,6 @@ TEST(DivideConquer, small_pieces_lead_to_the_same) {
       EXPECT_EQ(description(t), description(built(points))) << points << ", " << piece;
     }
   }
-}
-
-/// On an ellipse whose long axis is `axis`, by its own angle, out of order, or in a band around it of this width.
-PointSet around_ellipse(std::size_t n, std::size_t axis, double width) {
-  PointSet points{"ellipse", 2, {}, {}};
-  Random random(11);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double angle = 6.283185307179586 * unit_random(random);
-    std::array<double, 2> p;
-    p[axis] = std::cos(angle) + width * unit_random(random);
-    p[1 - axis] = 0.5 * std::sin(angle) + width * unit_random(random);
-    points.coordinates.insert(points.coordinates.end(), p.begin(), p.end());
-  }
-  return points;
 }
 
 /// What boxes and strips do in vain, 25 cells a point and more, is not done.

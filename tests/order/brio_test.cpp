@@ -200,11 +200,13 @@ TEST(CurveCuts, the_smallest_numbers_beside_the_largest_are_parted) {
 
 TEST(CurveCuts, threads_do_not_show) {
   const PointSet points = lattice(2, 300000, 1000, 1);
-  const CurveCuts one = curve_cuts(points.view(), all_axes(2), 1);
-  const CurveCuts many = curve_cuts(points.view(), all_axes(2), 3);
-  EXPECT_EQ(one.order, many.order);
-  EXPECT_TRUE(std::ranges::equal(std::ranges::subrange(one.cut.begin() + 1, one.cut.end()),
-                                 std::ranges::subrange(many.cut.begin() + 1, many.cut.end())));
+  for (const auto& cut : {curve_cuts, strip_cuts}) {
+    const CurveCuts one = cut(points.view(), all_axes(2), 1);
+    const CurveCuts many = cut(points.view(), all_axes(2), 3);
+    EXPECT_EQ(one.order, many.order);
+    EXPECT_TRUE(std::ranges::equal(std::ranges::subrange(one.cut.begin() + 1, one.cut.end()),
+                                   std::ranges::subrange(many.cut.begin() + 1, many.cut.end())));
+  }
 }
 
 }  // namespace
