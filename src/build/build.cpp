@@ -68,15 +68,17 @@ AnyTriangulation build(PointsView points, const BuildOptions& options) {
   require_ordered(options.method, options.order);
   require_finite(points);
   const ExactEnvironment environment;
-  const bool cut_by_boxes = options.method == Method::divide_conquer && options.order != Order::lexicographic;
-  const bool usual = options.method == Method::automatic && options.order == Order::automatic;
-  if (usual || cut_by_boxes) return triangulated(points, options.threads, options.progress);
+  const bool divide = options.method == Method::divide_conquer;
+  if (options.order == Order::automatic && (divide || options.method == Method::automatic)) {
+    return triangulated(points, options.threads, options.progress);
+  }
   const AffineHull hull = affine_hull(points);
   if (hull.flat.dimension < info(options.method).least_dimension) {
     return triangulated(points, options.threads, options.progress);
   }
-  if (options.method == Method::divide_conquer) {
-    const CurveCuts cuts = strip_cuts(points, std::span(hull.flat.axes).first(2), options.threads);
+  if (divide) {
+    const auto cut = options.order == Order::hilbert ? curve_cuts : strip_cuts;
+    const CurveCuts cuts = cut(points, std::span(hull.flat.axes).first(2), options.threads);
     return finished(triangulate_plane(points, hull.flat, cuts, options.threads, options.progress));
   }
   return built_by_method(points, options);

@@ -111,18 +111,16 @@ class FourConflicts {
   }
   /// Settles what is sure by the sizes of each cell alone.
   DELONE_BY_FOURS [[gnu::noinline]] void reconsider(Answers& answers, Four values, Four corners, Four apexes) const {
-    std::array<double, 4> value, size;
-    _mm256_storeu_pd(value.data(), values);
-    _mm256_storeu_pd(size.data(), apexes);
-    const double corner_size = largest(corners);
-    answers.sure = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const double s = std::max(size[i], corner_size);
-      const bool exact = kernel_->exact_lifts(s);
-      const bool sure = exact ? value[i] != 0.0 : std::abs(value[i]) > kernel_->lifted_bound(s);
-      answers.sure |= (sure ? 1U : 0U) << i;
-      answers.tie |= (exact && !sure ? 1U : 0U) << i;
-    }
+    const Four sizes = _mm256_max_pd(apexes, _mm256_set1_pd(largest(corners)));
+    const Four s = _mm256_add_pd(sizes, _mm256_set1_pd(0x1p-300));
+    const Four square = _mm256_mul_pd(s, s);
+    const Four power = _mm256_mul_pd(_mm256_mul_pd(square, square), s);
+    const Four bounds = _mm256_add_pd(_mm256_mul_pd(_mm256_sqrt_pd(power), _mm256_set1_pd(kernel_->lifted_bound(1.0))),
+                                      _mm256_set1_pd(0x1p-447));  // lifted_bound() of each
+    const unsigned exact = above(_mm256_set1_pd(kernel_->exact_lifts_below()), power);
+    const unsigned nonzero = above(magnitude(values), _mm256_setzero_pd());
+    answers.sure = (exact & nonzero) | (~exact & above(magnitude(values), bounds));
+    answers.tie = exact & ~nonzero;
   }
 
   DELONE_BY_FOURS [[gnu::always_inline]] static inline Four partners(Four a) { return _mm256_permute_pd(a, 0b0101); }

@@ -2,7 +2,8 @@
 // lower common tangent upwards); [Dwyer87] (cuts across alternating axes, so that parts stay square and seams short).
 // Departures: cells instead of edges, with ghost cells along the hull as everywhere here: a ghost cell of the seam
 // becomes the cell that is knit, an edge is deleted by a flip that makes two ghost cells, and a merge creates two
-// cells. The boxes are those that Hilbert's curve goes through, not halves of equal number: they come with the order.
+// cells. Cuts come with the order of the sites: those of the boxes that Hilbert's curve goes through, or of strips, not
+// halves of equal number.
 //
 // Heights are perturbed by coordinates alone, so each part is the canonical triangulation of its sites.
 #include "mesh/divide_conquer.hpp"
@@ -282,7 +283,7 @@ struct CutPart {
   std::uint16_t cut;
 };
 
-/// Merges parts that come one after the other in the order of the curve.
+/// Merges parts that come one after the other in the order of the sites.
 class Mender {
  public:
   explicit Mender(Knitter& knitter) : knitter_(&knitter) {}
@@ -308,12 +309,12 @@ class Mender {
   std::vector<CutPart> parts_;
 };
 
-/// Sites that fill a box of the curve: [begin, end). The first is number `rank` of those that repeat none.
+/// Sites that fill a box or a strip: [begin, end). The first is number `rank` of those that repeat none.
 struct Piece {
   std::size_t begin, end, rank;
 };
 
-/// Boxes of up to `most` sites, or of one place.
+/// Boxes or strips of up to `most` sites, or of one place.
 std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut, std::size_t most) {
   std::vector<Piece> done;
   std::vector<Piece> open{{0, cut.size(), 0}};
@@ -365,7 +366,7 @@ std::size_t find_incident_cells(ComplexView<2> complex, std::span<const std::uin
   if (all_found) return ghosts;
   for (std::size_t c = 0; c < complex.slot_count(); ++c) {
     for (const VertexId v : complex.vertices(CellId{static_cast<Index>(c)})) {
-      if (!complex.has_vertex(v)) complex.set_incident(v, CellId{static_cast<Index>(c)});
+      if (v != kGhost && !complex.has_vertex(v)) complex.set_incident(v, CellId{static_cast<Index>(c)});
     }
   }
   return ghosts;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -12,7 +12,7 @@
 namespace delone {
 namespace {
 
-/// Coordinates of `count` points, one at random of each that many-th part of the rows, and of the rows given.
+/// Coordinates of `count` points, one at random of each of so many parts of the rows, and of the rows given.
 std::vector<double> sample_of(PointsView points, std::size_t count, std::span<const Index> given) {
   std::vector<double> sample;
   sample.reserve((count + given.size()) * static_cast<std::size_t>(points.dimension()));
@@ -32,12 +32,12 @@ double cells_made(PointsView points, const Flat& flat, const CurveCuts& cuts) {
 }  // namespace
 
 CurveCuts plane_cuts(PointsView points, const AffineHull& hull, int threads) {
-  constexpr std::size_t kLeast = 256;  // of a sample, which has a thirty-second of the points
+  constexpr std::size_t kLeast = 256;  // of a sample
   constexpr std::size_t kMost = 2048;
   constexpr double kUsual = 9.0;  // cells a point; boxes make 7 where points fill an area
   constexpr double kWorthwhile = 0.7;
   const std::span<const int> axes(hull.flat.axes.data(), 2);
-  const std::size_t count = std::min(points.size() / 32, kMost);
+  const std::size_t count = std::min(points.size() / 64, kMost);
   if (count < kLeast) return curve_cuts(points, axes, threads);
   const std::vector<double> coordinates =
       sample_of(points, count, std::span(hull.basis).first(3));  // so that the sample spans the plane

@@ -31,7 +31,8 @@ class KeyedRows {
   }
 
   std::size_t size() const { return words_.size(); }
-  /// Of a key: so many that on a curve, too, few rows have the same, in whole digits of the sort.
+  /// Of a key, at most: so many that on a curve, too, few rows have the same, and as many as the sort takes no longer
+  /// for.
   int key_bits() const { return std::min(64 - row_bits_, (2 * row_bits_ + 6 + kDigit - 1) / kDigit * kDigit); }
   std::vector<Index> in_order() const {
     std::vector<Index> order(size());
@@ -83,6 +84,7 @@ class KeyedRows {
     if (from.data() != words_.data() + begin) std::ranges::copy(from, to.begin());
   }
 
+ private:
   Index row_of(std::uint64_t word) const { return static_cast<Index>(word & ((std::uint64_t{1} << row_bits_) - 1)); }
 
   static constexpr int kDigit = 11;  // bits that are sorted at a time
@@ -144,16 +146,19 @@ struct Cube {
   }
 };
 
+constexpr int kWord = 64;  // more than a key has bits: cuts of one grid have so many depths
+
 /// So few rows are parted by a balanced tree of three levels.
 constexpr std::size_t kFew = 8;
+constexpr int kLevels = 3;
+static_assert(kLevels * kMaxDimension <= kWord);
 
 /// Sorts up to kFew rows in lexicographic order, from the longest of the first K axes on. Cuts across a later axis are
 /// deeper than all across an earlier one.
-/// @param depth  of the least deep cut  @param cuts  as below
+/// @param depth  no cut is less deep  @param cuts  as below
 template <int K>
 void sort_few(PointsView points, std::span<const int> axes, KeyedRows& rows, std::size_t begin, std::size_t end,
               int depth, std::span<std::uint16_t> cuts) {
-  if (begin == end) return;
   using Place = std::array<double, kMaxDimension>;
   std::size_t longest = 0;
   if constexpr (K > 1) {
@@ -184,7 +189,8 @@ void sort_few(PointsView points, std::span<const int> axes, KeyedRows& rows, std
     const Place low = place(rows.row(i - 1));
     const auto axis = static_cast<std::size_t>(std::ranges::mismatch(low, place(rows.row(i))).in1 - low.begin());
     if (axis == kMaxDimension) continue;  // one place
-    cuts[i] = static_cast<std::uint16_t>(depth + 4 * static_cast<int>(axis) + 3 - std::countr_zero(++steps[axis]));
+    const int level = kLevels - 1 - std::countr_zero(++steps[axis]);
+    cuts[i] = static_cast<std::uint16_t>(depth + kLevels * static_cast<int>(axis) + level);
   }
 }
 
@@ -193,7 +199,6 @@ void sort_few(PointsView points, std::span<const int> axes, KeyedRows& rows, std
 template <int K>
 void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& rows, int rounds, int threads,
                       std::span<std::uint16_t> cuts = {}) {
-  constexpr int kWord = 64;                        // more than a key has bits
   constexpr std::size_t kTogether = 4;             // keys that are computed side by side
   const std::size_t crowd = cuts.empty() ? 3 : 1;  // up to this many points in one grid cell may stay as they are
   struct Job {
@@ -206,7 +211,7 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
   while (!jobs.empty()) {
     const Job job = jobs.back();
     jobs.pop_back();
-    if (job.end - job.begin <= kFew) {
+    if (job.grids > 0 && job.end - job.begin <= kFew) {
       sort_few<K>(points, axes.subspan(job.axis), rows, job.begin, job.end, job.grids * kWord, cuts);
       continue;
     }

@@ -64,7 +64,7 @@ std::vector<Index> bucket_order(PointsView points, std::span<const int> axes, st
 }
 
 /// Along the curve a box's first point stands for it. It has stood for all boxes around that begin with it, so its
-/// level is the depth of the cut before it, of which there are D to a level.
+/// level is the depth of the cut before it, of which there are D to a level (but not within a cell of the finest grid).
 std::vector<Index> quaternary_order(PointsView points, std::span<const int> axes, int threads) {
   CurveCuts cuts = curve_cuts(points, axes, threads);
   if (cuts.order.size() < 2) return std::move(cuts.order);

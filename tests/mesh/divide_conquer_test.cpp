@@ -111,7 +111,7 @@ TEST(DivideConquer, small_pieces_lead_to_the_same) {
   }
 }
 
-/// What boxes and strips do in vain, 25 cells a point and more, is not done.
+/// Boxes would make 20 cells a point, strips along the curve 26.
 TEST(DivideConquer, points_on_a_curve_are_cut_into_strips_across_it) {
   constexpr std::size_t kCount = 20000;
   for (const std::size_t axis : {0U, 1U}) {
@@ -134,6 +134,17 @@ TEST(DivideConquer, points_around_a_curve_are_cut_into_boxes) {
     expect_incremental(points);
     EXPECT_LT(built(points).statistics().cells_created, 10 * kCount);
   }
+}
+
+TEST(DivideConquer, boxes_and_strips_are_cut_when_they_are_asked_for) {
+  constexpr std::size_t kCount = 20000;
+  const PointSet points = around_ellipse(kCount, 0, 0.0);
+  const auto cells_created = [&](Order order) {
+    return build(points.view(), {.method = Method::divide_conquer, .order = order}).statistics().cells_created;
+  };
+  EXPECT_GT(cells_created(Order::hilbert), 15 * kCount);
+  EXPECT_LT(cells_created(Order::lexicographic), 5 * kCount);
+  EXPECT_LT(cells_created(Order::automatic), 5 * kCount);
 }
 
 TEST(DivideConquer, of_a_sample_at_one_place_nothing_is_learnt) {

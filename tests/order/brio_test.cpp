@@ -159,7 +159,7 @@ TEST(CurveCuts, of_few_rows_too) {
   }
 }
 
-/// On a diagonal of places that eight bits a coordinate do not tell apart, up to a dozen rows each.
+/// On a diagonal, up to a dozen rows each that the first grid does not tell apart; zeros of both signs among them.
 TEST(CurveCuts, crowds_of_every_size_are_parted) {
   PointSet points{"crowds", 2, {}, {}};
   Random random(4);
@@ -169,11 +169,21 @@ TEST(CurveCuts, crowds_of_every_size_are_parted) {
       points.coordinates.insert(points.coordinates.end(), {x, i % 3 == 0 ? x : crowd + 0.0});
     }
   }
+  for (const double x : {0.0, -0.0, 0.0, -0.0, 1e-20}) points.coordinates.insert(points.coordinates.end(), {x, -x});
   const CurveCuts cuts = curve_cuts(points.view(), all_axes(2));
   EXPECT_TRUE(is_permutation_of_rows(cuts.order, points.size()));
   EXPECT_TRUE(parts_everything(points.view(), cuts, 0, points.size()));
   std::vector<Index> order = brio_order(points.view(), all_axes(2));
   EXPECT_TRUE(is_permutation_of_rows(order, points.size()));
+}
+
+TEST(StripCuts, part_everything_in_any_dimension) {
+  for (int dimension = 1; dimension <= 8; ++dimension) {
+    for (const PointSet& points : unweighted_families(dimension, 200, 2)) {
+      EXPECT_TRUE(parts_everything(points.view(), strip_cuts(points.view(), all_axes(dimension)), 0, points.size()))
+          << points.name;
+    }
+  }
 }
 
 TEST(StripCuts, part_rows_in_lexicographic_order_of_any_axes) {

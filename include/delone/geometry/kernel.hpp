@@ -86,7 +86,7 @@ double conflict_exact_below(int unit) {
 /// these share their place with the squares already counted, two for each and four in all cover them.
 constexpr double conflict_roundings(int k) { return k == 2 ? 10.1 : 16.1; }
 
-inline int exact_sign(double value) { return value > 0.0 ? 1 : (value < 0.0 ? -1 : 0); }
+inline int exact_sign(double value) { return static_cast<int>(value > 0.0) - static_cast<int>(value < 0.0); }
 
 }  // namespace filter
 
@@ -247,13 +247,11 @@ class Kernel {
     return (4 * 1.155 * (1 + 0x1p-40)) * conflict_bound_ * std::sqrt((s * s) * (s * s) * s) + 0x1p-447;
   }
 
-  /// Whether a determinant of such lifts in space is computed without any rounding, so that a zero is a tie.
-  bool exact_lifts(double size) const requires(K == 3) {
-    const double s = size + 0x1p-300;
-    return (s * s * s) * (s * s) < conflict_exact_below_;
-  }
+  /// Where the fifth power of their size lies below this, a determinant of lifts in space is computed without any
+  /// rounding, so that a zero is a tie.
+  double exact_lifts_below() const requires(K == 3) { return conflict_exact_below_; }
   /// conflict() where q is known to lie exactly on the cell's lifted hyperplane.
-  bool conflict_by_tie(const Cell& cell, VertexId q);
+  [[gnu::noinline]] bool conflict_by_tie(const Cell& cell, VertexId q);
 
   /// Null without weights.
   const double* weights() const { return weights_; }
@@ -272,12 +270,13 @@ class Kernel {
     return sum;
   }
 
-  /// Lexicographic order of two sites; equal only at the same place.
+  /// Lexicographic order of two sites; equal only at the same place. Without branches: on lattices it is a coin toss.
   bool before(VertexId a, VertexId b) const {
-    for (std::size_t j = 0; j < kCoordinates; ++j) {
-      if (at(a)[j] != at(b)[j]) return at(a)[j] < at(b)[j];
+    int less = 0;
+    for (std::size_t j = kCoordinates; j-- > 0;) {
+      less = static_cast<int>(at(a)[j] < at(b)[j]) | (static_cast<int>(at(a)[j] == at(b)[j]) & less);
     }
-    return false;
+    return less != 0;
   }
   bool same_place(VertexId a, VertexId b) const { return !before(a, b) && !before(b, a); }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "delone/base/ids.hpp"
 
@@ -23,13 +24,14 @@ bool perturbed_conflict(const std::array<VertexId, K + 1>& cell, VertexId q, Bef
   std::array<VertexId, K + 2> left;  // whose lowering has not been tried
   std::ranges::copy(cell, left.begin());
   left[K + 1] = q;
-  for (auto end = left.end(); end != left.begin(); --end) {
-    const auto first = std::min_element(left.begin(), end, before);
-    if (*first == q) return true;
+  for (std::size_t count = left.size(); count != 0; --count) {
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < count; ++i) first = before(left[i], left[first]) ? i : first;
+    if (left[first] == q) return true;
     auto replaced = cell;
-    std::ranges::replace(replaced, *first, q);
+    std::ranges::replace(replaced, left[first], q);
     if (const int sign = orient(replaced); sign != 0) return sign < 0;
-    *first = end[-1];
+    left[first] = left[count - 1];
   }
   return true;  // not reached: q is among the sites
 }

@@ -16,14 +16,16 @@ namespace delone {
 /// A permutation of the rows of `points`.
 /// @param axes  the coordinate axes that span the points (at least one; at most kMaxDimension)
 /// @param threads  how many compute the keys; the order does not depend on it
-/// Cost: O(n), a radix sort; where points crowd into one cell of the grid the crowd is sorted again on a finer grid.
+/// Cost: O(n), a radix sort; where points crowd into one cell of the grid the crowd is sorted again, a few by their
+/// coordinates, more on a finer grid.
 std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int threads = 1);
 
 /// The same without rounds: all rows along one curve. For queries, each of which starts where the last one ended.
 std::vector<Index> curve_order(PointsView points, std::span<const int> axes, int threads = 1);
 
 /// Rows along one curve, and the tree of boxes that it goes through: each box is cut in half by a plane across an axis,
-/// and the curve leaves one half before it enters the other.
+/// and the curve leaves one half before it enters the other. Where few rows share a cell of the grid they stand in
+/// lexicographic order, and are cut between any two places.
 struct CurveCuts {
   static constexpr std::uint16_t kSamePlace = 0xFFFF;
 
@@ -37,8 +39,8 @@ struct CurveCuts {
 /// @param axes  as above, at least one
 CurveCuts curve_cuts(PointsView points, std::span<const int> axes, int threads = 1);
 
-/// The same in lexicographic order on the axes in this order: a tree of strips, each cut in half across the first axis;
-/// rows that it does not tell apart, across the next.
+/// The same in lexicographic order on the axes in this order: a tree of strips across the first axis; rows that it does
+/// not tell apart are cut across the next.
 CurveCuts strip_cuts(PointsView points, std::span<const int> axes, int threads = 1);
 
 }  // namespace delone
