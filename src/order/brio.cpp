@@ -153,33 +153,14 @@ constexpr std::size_t kFew = 8;
 constexpr int kLevels = 3;
 static_assert(kLevels * kMaxDimension <= kWord);
 
-/// Sorts up to kFew rows in lexicographic order, from the longest of the first K axes on. Cuts across a later axis are
-/// deeper than all across an earlier one.
+/// Sorts up to kFew rows in lexicographic order. Cuts across a later axis are deeper than all across an earlier one.
 /// @param depth  no cut is less deep  @param cuts  as below
-template <int K>
 void sort_few(PointsView points, std::span<const int> axes, KeyedRows& rows, std::size_t begin, std::size_t end,
               int depth, std::span<std::uint16_t> cuts) {
   using Place = std::array<double, kMaxDimension>;
-  std::size_t longest = 0;
-  if constexpr (K > 1) {
-    double length = -1.0;
-    for (std::size_t j = 0; j < K; ++j) {
-      const auto at = [&](std::size_t i) { return points[rows.row(i)][static_cast<std::size_t>(axes[j])]; };
-      double low = at(begin);
-      double high = low;
-      for (std::size_t i = begin + 1; i < end; ++i) {
-        low = std::min(low, at(i));
-        high = std::max(high, at(i));
-      }
-      if (high - low > length) length = high - low, longest = j;
-    }
-  }
   const auto place = [&](Index row) {
     Place x{};
-    for (std::size_t j = 0; j < axes.size(); ++j) {
-      const std::size_t axis = j < K ? (longest + j) % K : j;
-      x[j] = points[row][static_cast<std::size_t>(axes[axis])];
-    }
+    for (std::size_t j = 0; j < axes.size(); ++j) x[j] = points[row][static_cast<std::size_t>(axes[j])];
     return x;
   };
   rows.sort_by(begin, end, place);
@@ -212,7 +193,7 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
     const Job job = jobs.back();
     jobs.pop_back();
     if (job.grids > 0 && job.end - job.begin <= kFew) {
-      sort_few<K>(points, axes.subspan(job.axis), rows, job.begin, job.end, job.grids * kWord, cuts);
+      sort_few(points, axes.subspan(job.axis), rows, job.begin, job.end, job.grids * kWord, cuts);
       continue;
     }
     const std::span<const int> next_axes = axes.subspan(job.axis, K);
