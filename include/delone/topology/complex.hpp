@@ -82,7 +82,7 @@ class Complex {
 
   /// Of a facet's id, those that tell its slot.
   static constexpr int slot_bits(int corners) {
-    return corners > 0 ? std::bit_width(static_cast<unsigned>(corners - 1)) : 0;
+    return corners > 0 ? static_cast<int>(std::bit_width(static_cast<unsigned>(corners - 1))) : 0;
   }
   std::size_t stride() const { return 2 * static_cast<std::size_t>(corners()); }
 
