@@ -12,14 +12,15 @@
 namespace delone {
 namespace {
 
-/// Coordinates of `count` points, one at random of each of so many parts of the rows, and of the rows given.
-std::vector<double> sample_of(PointsView points, std::size_t count, std::span<const Index> given) {
+/// Coordinates of `count` points, one at random of each of so many parts of the rows.
+std::vector<double> sample_of(PointsView points, std::size_t count) {
   std::vector<double> sample;
-  sample.reserve((count + given.size()) * static_cast<std::size_t>(points.dimension()));
-  const auto add = [&](std::size_t row) { sample.insert(sample.end(), points[row].begin(), points[row].end()); };
+  sample.reserve(count * static_cast<std::size_t>(points.dimension()));
   const std::size_t share = points.size() / count;
-  for (std::size_t i = 0; i < count; ++i) add(i * share + mix(i) % share);
-  for (const Index row : given) add(row);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::span<const double> point = points[i * share + mix(i) % share];
+    sample.insert(sample.end(), point.begin(), point.end());
+  }
   return sample;
 }
 
@@ -31,22 +32,21 @@ double cells_made(PointsView points, const Flat& flat, const CurveCuts& cuts) {
 
 }  // namespace
 
-CurveCuts plane_cuts(PointsView points, const AffineHull& hull, int threads) {
+CurveCuts plane_cuts(PointsView points, const Flat& flat, int threads) {
   constexpr std::size_t kLeast = 256;  // of a sample
   constexpr std::size_t kMost = 2048;
   constexpr double kUsual = 9.0;  // cells a point; boxes make 7 where points fill an area
   constexpr double kWorthwhile = 0.7;
-  const std::span<const int> axes(hull.flat.axes.data(), 2);
+  const std::span<const int> axes(flat.axes.data(), 2);
   const std::size_t count = std::min(points.size() / 64, kMost);
   if (count < kLeast) return curve_cuts(points, axes, threads);
-  const std::vector<double> coordinates =
-      sample_of(points, count, std::span(hull.basis).first(3));  // so that the sample spans the plane
+  const std::vector<double> coordinates = sample_of(points, count);
   const PointsView sample(coordinates, points.dimension());
-  const double by_boxes = cells_made(sample, hull.flat, curve_cuts(sample, axes));
+  const double by_boxes = cells_made(sample, flat, curve_cuts(sample, axes));
   if (by_boxes < kUsual) return curve_cuts(points, axes, threads);
   const std::array turned{axes[1], axes[0]};
-  const double across_first = cells_made(sample, hull.flat, strip_cuts(sample, axes));
-  const double across_second = cells_made(sample, hull.flat, strip_cuts(sample, turned));
+  const double across_first = cells_made(sample, flat, strip_cuts(sample, axes));
+  const double across_second = cells_made(sample, flat, strip_cuts(sample, turned));
   if (std::min(across_first, across_second) > kWorthwhile * by_boxes) return curve_cuts(points, axes, threads);
   return strip_cuts(points, across_first < across_second ? axes : std::span<const int>(turned), threads);
 }

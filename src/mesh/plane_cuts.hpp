@@ -8,15 +8,15 @@
 // thin. So a sample is tried.
 #pragma once
 
-#include "delone/geometry/affine.hpp"
 #include "delone/geometry/points.hpp"
+#include "delone/geometry/sites.hpp"
 #include "delone/order/brio.hpp"
 
 namespace delone {
 
-/// Cuts of points that span the plane `hull`, on the two axes of its flat: into boxes, or into strips across either
+/// Cuts of points that span a plane, on the two axes of their flat: into boxes, or into strips across either
 /// axis if a sample of many points is triangulated with far fewer cells by these. Cost: O(n), and that of triangulating
 /// the sample, at most 2,048 points and a sixty-fourth of all, once, or three times if boxes do badly.
-CurveCuts plane_cuts(PointsView points, const AffineHull& hull, int threads);
+CurveCuts plane_cuts(PointsView points, const Flat& flat, int threads);
 
 }  // namespace delone

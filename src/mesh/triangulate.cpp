@@ -31,7 +31,7 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
   const AffineHull hull = affine_hull(points);
   const std::span axes = std::span(hull.flat.axes).first(static_cast<std::size_t>(std::max(hull.flat.dimension, 0)));
   if (axes.size() == 2 && !points.weighted()) {
-    const CurveCuts cuts = plane_cuts(points, hull, threads);
+    const CurveCuts cuts = plane_cuts(points, hull.flat, threads);
     const double ordered = watch.lap();
     Mesh mesh = triangulate_plane(points, hull.flat, cuts, threads, progress);
     mesh.statistics.order_seconds += ordered;

@@ -18,8 +18,8 @@ namespace delone {
 /// @throws Cancelled when `progress` says so; std::bad_alloc
 Mesh triangulate_points(PointsView points, int threads, const Progress& progress, std::size_t room = 0);
 
-/// The triangulation of points that span the plane, without weights, by divide and conquer along cuts of the two axes
-/// of their flat. @throws as above
+/// The triangulation of points in a plane, without weights, by divide and conquer along cuts of the two axes of their
+/// flat. Where all lie on a line it has ghosts only, where all stand at one place no cell. @throws as above
 Mesh triangulate_plane(PointsView points, const Flat& flat, const CurveCuts& cuts, int threads,
                        const Progress& progress);
 

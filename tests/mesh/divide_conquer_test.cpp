@@ -147,11 +147,15 @@ TEST(DivideConquer, boxes_and_strips_are_cut_when_they_are_asked_for) {
   EXPECT_LT(cells_created(Order::automatic), 5 * kCount);
 }
 
-TEST(DivideConquer, of_a_sample_at_one_place_nothing_is_learnt) {
-  PointSet points{"heap", 2, std::vector<double>(40000, 3.0), {}};
-  points.coordinates.insert(points.coordinates.end(), {4.0, 3.0, 3.0, 5.0});
-  EXPECT_EQ(built(points).cell_count(), 1U);
-  EXPECT_EQ(built(points).vertex_count(), 3U);
+TEST(DivideConquer, a_sample_may_span_less_than_all_points) {
+  PointSet heap{"heap", 2, std::vector<double>(40000, 3.0), {}};
+  heap.coordinates.insert(heap.coordinates.end(), {4.0, 3.0, 3.0, 5.0});
+  EXPECT_EQ(built(heap).cell_count(), 1U);
+  EXPECT_EQ(built(heap).vertex_count(), 3U);
+  PointSet line{"line", 2, {7.0, -1.0}, {}};
+  for (int i = 0; i < 20000; ++i) line.coordinates.insert(line.coordinates.end(), {i * 1.0, i * 2.0});
+  EXPECT_EQ(built(line).cell_count(), 19999U);
+  expect_incremental(line);
 }
 
 TEST(DivideConquer, of_equal_points_the_first_row_is_the_vertex) {
