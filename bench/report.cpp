@@ -217,8 +217,11 @@ class Report {
            "Every run\n"
            "is a process of its own, repeated when it had to share its processor; the contestants of a row take turns "
            "on the\n"
-           "same points, round after round. Given are the median and, in brackets, the least and the largest "
-           "value.\n\n";
+           "same points, round after round. Before the clock each writes to a gibibyte of memory and gives it back: "
+           "a\n"
+           "hypervisor that takes free memory back makes new pages cost many times their price. Given are the median "
+           "and, in\n"
+           "brackets, the least and the largest value.\n\n";
   }
 
   std::string targets() const {
