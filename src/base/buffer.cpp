@@ -8,10 +8,9 @@ namespace delone {
 
 void* reallocate_block(void* block, std::size_t count, std::size_t element_size) {
   if (count > static_cast<std::size_t>(-1) / 2 / element_size) throw std::bad_alloc();
-  const std::size_t bytes = count * element_size;
-  void* moved = std::realloc(block, bytes);
+  void* moved = std::realloc(block, count * element_size);
   if (moved == nullptr) throw std::bad_alloc();
-  ask_for_huge_pages(moved, bytes);
+  ask_for_huge_pages(moved);
   return moved;
 }
 

@@ -3,18 +3,23 @@
 #include <cstdint>
 
 #ifdef __linux__
+#include <malloc.h>
 #include <sys/mman.h>
+#include <unistd.h>
 #endif
 
 namespace delone {
 
-void ask_for_huge_pages([[maybe_unused]] void* block, [[maybe_unused]] std::size_t bytes) {
+void ask_for_huge_pages([[maybe_unused]] void* block) {
 #ifdef __linux__
-  constexpr std::size_t kHugePage = std::size_t{1} << 21;
-  const auto address = reinterpret_cast<std::uintptr_t>(block);
-  const std::size_t skip = (kHugePage - address % kHugePage) % kHugePage;
-  if (bytes >= skip + kHugePage)
-    madvise(static_cast<char*>(block) + skip, (bytes - skip) / kHugePage * kHugePage, MADV_HUGEPAGE);
+  constexpr std::uintptr_t kHugePage = std::uintptr_t{1} << 21;
+  static const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto start = reinterpret_cast<std::uintptr_t>(block);
+  const std::uintptr_t end = start + malloc_usable_size(block);
+  const std::uintptr_t skip = (kHugePage - start % kHugePage) % kHugePage;
+  if (end < start + skip + kHugePage) return;
+  const std::uintptr_t first = start / page * page;
+  madvise(static_cast<char*>(block) - (start - first), (end - first + page - 1) / page * page, MADV_HUGEPAGE);
 #endif
 }
 

@@ -3,6 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#ifdef __GLIBC__
+#include <sys/resource.h>
+#endif
+
+#include <cstddef>
 #include <limits>
 #include <new>
 #include <utility>
@@ -81,6 +86,26 @@ TEST(Buffer, a_request_beyond_memory_throws_and_changes_nothing) {
   EXPECT_EQ(buffer.size(), 3U);
   EXPECT_EQ(buffer[2], 5.0);
 }
+
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+long page_faults() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_minflt;
+}
+
+TEST(Buffer, grows_large_blocks_without_touching_them_whatever_their_size) {
+  for (const std::size_t odd : {0U, 8U, 2048U, 4064U, 4072U, 4080U, 4088U}) {  // where blocks of malloc end
+    const std::size_t bytes = (std::size_t{40} << 20) + odd;
+    Buffer<char> buffer;
+    buffer.resize(bytes, 'x');
+    const long before = page_faults();
+    buffer.reserve(2 * bytes);
+    EXPECT_LT(page_faults() - before, 100) << bytes << " bytes were copied";
+    EXPECT_EQ(buffer[bytes - 1], 'x');
+  }
+}
+#endif
 
 TEST(Refill, starts_anew_and_tells_the_buffer_its_size_at_the_end) {
   Buffer<int> buffer = filled(5);
