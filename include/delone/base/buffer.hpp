@@ -67,7 +67,7 @@ class Buffer {
   void resize(std::size_t size, T value) {
     const std::size_t old = size_;
     resize(size);
-    for (std::size_t i = old; i < size; ++i) data_[i] = value;
+    if (old < size) std::fill(data_ + old, data_ + size, value);
   }
   void push_back(T value) {
     if (size_ == capacity_) [[unlikely]]

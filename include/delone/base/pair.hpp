@@ -1,7 +1,9 @@
 // Two doubles side by side: what every x86-64 and 64-bit ARM computes in one instruction.
 #pragma once
 
+#include <cstdint>
 #include <cstring>
+#include <limits>
 
 namespace delone {
 
@@ -18,7 +20,10 @@ inline Pair seconds(Pair a, Pair b) { return __builtin_shufflevector(a, b, 1, 3)
 /// (a[1], b[0]): of four lanes (a, b) turned left by one, the first two.
 inline Pair turned(Pair a, Pair b) { return __builtin_shufflevector(a, b, 1, 2); }
 inline Pair larger(Pair a, Pair b) { return a > b ? a : b; }
-inline Pair magnitude(Pair a) { return larger(a, -a); }
+inline Pair magnitude(Pair a) {
+  using Bits = std::int64_t __attribute__((vector_size(16)));
+  return reinterpret_cast<Pair>(reinterpret_cast<Bits>(a) & std::numeric_limits<std::int64_t>::max());  // but the sign
+}
 inline double sum(Pair a) { return a[0] + a[1]; }
 inline double largest(Pair a) { return a[0] > a[1] ? a[0] : a[1]; }
 

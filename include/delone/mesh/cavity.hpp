@@ -102,8 +102,10 @@ template <int K>
     const CellId across = complex.cell(complex.twin(c, i));
     complex.prefetch(across);
     if constexpr (K > 3) {
+      const std::byte* const plane = scratch.planes.data() + raw(across) * Scratch::plane_size(K);
       __builtin_prefetch(scratch.marks.data() + raw(across));
-      __builtin_prefetch(scratch.planes.data() + raw(across) * Scratch::plane_size(K));
+      __builtin_prefetch(plane);
+      __builtin_prefetch(plane + Scratch::plane_size(K) - 1);  // most lie across two lines of the cache
     }
   }
 }

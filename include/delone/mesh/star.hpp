@@ -23,6 +23,18 @@ namespace delone {
 
 namespace star {
 
+/// The new cell on a facet of the boundary, seen from inside; linked to the cell outside, and to no other yet.
+template <int K>
+[[gnu::always_inline]] inline CellId make_cell(ComplexView<K> complex, VertexId q, FacetId inside) {
+  const int apex = complex.slot(inside);
+  const CellId fresh = complex.create();
+  complex.set_vertices(fresh, complex.vertices(complex.cell(inside)));
+  complex.set_vertex(fresh, apex, q);
+  complex.link(complex.facet(fresh, apex), complex.twin(inside));
+  complex.count_ghost(fresh);
+  return fresh;
+}
+
 /// Links new cells by turning about each ridge of the boundary, through the cavity. The old cells are still there.
 template <int K>
 void link_by_turning(ComplexView<K> complex, VertexId q, const Scratch& scratch) {
@@ -71,12 +83,7 @@ inline void fill_by_edge_table(ComplexView<3> complex, VertexId q, Scratch& scra
   for (std::size_t b = 0; b < count; ++b) {
     const CellId old = complex.cell(boundary[b]);
     const int apex = complex.slot(boundary[b]);
-    const CellId fresh = complex.create();
-    created[b] = fresh;
-    complex.set_vertices(fresh, complex.vertices(old));
-    complex.set_vertex(fresh, apex, q);
-    complex.link(complex.facet(fresh, apex), complex.twin(boundary[b]));
-    complex.count_ghost(fresh);
+    const CellId fresh = created[b] = make_cell(complex, q, boundary[b]);
     const auto& corners = kFacet[static_cast<std::size_t>(apex)];
     std::array<Index, 3> number;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -108,39 +115,46 @@ inline std::uint64_t name(VertexId v) {
 
 /// Above 3D: a table of ridges by their names holds the last facet met at each, of which there are two. Names are not
 /// compared with vertices: if two ridges had one name, there would be fewer names than ridges, and only then is the
-/// answer false. Whether a facet is the first or the second at its ridge steers no branch: the first is linked to
-/// itself until the second comes.
+/// answer false, with all cells made and not all linked. Whether a facet is the first or the second at its ridge steers
+/// no branch: the first is linked to itself until the second comes.
 template <int K>
-bool link_by_ridge_table(ComplexView<K> complex, VertexId q, Scratch& scratch) {
+bool fill_by_ridge_table(ComplexView<K> complex, VertexId q, Scratch& scratch) {
   RidgeTable::Entry* const entries = scratch.ridges.entries.data();
   const std::size_t mask = scratch.ridges.entries.size() - 1;
   const int shift = 64 - std::popcount(mask);
+  const auto taken = [&](std::size_t e, std::uint32_t key) {  // by another ridge
+    return std::min(entries[e].key, entries[e].key ^ key) != 0;
+  };
   std::memset(entries, 0, (mask + 1) * sizeof *entries);
+  CellId* const created = scratch.created.data();
+  const FacetId* const boundary = scratch.boundary.data();
+  const std::size_t count = scratch.created.size();
   std::size_t ridges = 0;
-  for (std::size_t b = 0; b < scratch.created.size(); ++b) {
-    const CellId fresh = scratch.created[b];
-    const int apex = complex.slot(scratch.boundary[b]);
-    complex.settle(fresh);
+  for (std::size_t b = 0; b < count; ++b) {
+    const int apex = complex.slot(boundary[b]);
+    const CellId fresh = created[b] = make_cell(complex, q, boundary[b]);
     std::array<std::uint64_t, K + 1> names;
     std::uint64_t sum = 0;
     for (int i = 0; i <= K; ++i) sum += names[static_cast<std::size_t>(i)] = name(complex.vertex(fresh, i));
     for (int i = 1; i <= K; ++i) {
       const int slot = complex.turned(apex, i);
+      complex.set_incident(complex.vertex(fresh, slot), fresh);
       const std::uint64_t ridge = sum - names[static_cast<std::size_t>(slot)];
       const std::uint32_t key = static_cast<std::uint32_t>(ridge) | 1;
       std::size_t e = ridge >> shift;
-      while (std::min(entries[e].key, entries[e].key ^ key) != 0) e = (e + 1) & mask;  // neither free nor its own
+      e = (e + (taken(e, key) ? 1 : 0)) & mask;  // a first step without a branch
+      while (taken(e, key)) e = (e + 1) & mask;
       const bool first = entries[e].key == 0;
       const FacetId facet = complex.facet(fresh, slot);
       const FacetId other{raw(entries[e].facet) | (raw(facet) & (Index{0} - Index{first}))};  // a free entry holds 0
-      complex.set_twin(facet, other);
+      complex.set_twin(fresh, slot, other);
       complex.set_twin(other, facet);
       entries[e] = {key, facet};
       ridges += first ? 1 : 0;
     }
   }
-  complex.set_incident(q, scratch.created.front());
-  return 2 * ridges == scratch.created.size() * K;
+  complex.set_incident(q, created[0]);
+  return 2 * ridges == count * K;
 }
 
 }  // namespace star
@@ -151,17 +165,11 @@ void fill_cavity(ComplexView<K> complex, VertexId q, Scratch& scratch) {
   if constexpr (K == 3) {  // a ball of c cells has at most 2 c + 2 facets
     if (scratch.cavity.size() + 3 <= EdgeTable::kNumbers) return star::fill_by_edge_table(complex, q, scratch);
   }
-  for (std::size_t b = 0; b < scratch.boundary.size(); ++b) {
-    const FacetId inside = scratch.boundary[b];
-    const CellId fresh = complex.create();
-    scratch.created[b] = fresh;
-    complex.set_vertices(fresh, complex.vertices(complex.cell(inside)));
-    complex.set_vertex(fresh, complex.slot(inside), q);
-    complex.count_ghost(fresh);
-    complex.link(complex.facet(fresh, complex.slot(inside)), complex.twin(inside));
-  }
   if constexpr (K > 3) {
-    if (star::link_by_ridge_table(complex, q, scratch)) return;
+    if (star::fill_by_ridge_table(complex, q, scratch)) return;
+  } else {
+    for (std::size_t b = 0; b < scratch.boundary.size(); ++b)
+      scratch.created[b] = star::make_cell(complex, q, scratch.boundary[b]);
   }
   star::link_by_turning(complex, q, scratch);
 }
