@@ -102,59 +102,73 @@ class Reach {
   std::vector<CellId> cells_;
 };
 
-/// The sites of some cells, ascending.
-template <int K>
-std::vector<VertexId> sites_of_cells(const Complex& complex, std::span<const CellId> cells) {
+/// The cells of a part that are not safe, as far as is known, and their sites, ascending.
+struct Border {
+  std::vector<CellId> cells;
   std::vector<VertexId> sites;
-  std::vector<bool> listed(complex.vertex_slots(), false);
-  for (const CellId c : cells) {
-    for (const VertexId v : ConstComplexView<K>(complex).vertices(c)) {
+
+  /// Those of a part whose cells and sites are counted on from some number.
+  void add(const Border& other, Index cells_before, Index sites_before) {
+    for (const CellId c : other.cells) cells.push_back(CellId{raw(c) + cells_before});
+    for (const VertexId v : other.sites) sites.push_back(VertexId{raw(v) + sites_before});
+  }
+};
+
+template <int K>
+Border border_of(const Mesh& mesh, const Box<K>& other, const NumberRange& range) {
+  Border border{Reach<K>(mesh, other, range).cells(), {}};
+  std::vector<bool> listed(mesh.complex.vertex_slots(), false);
+  for (const CellId c : border.cells) {
+    for (const VertexId v : ConstComplexView<K>(mesh.complex).vertices(c)) {
       if (v == kGhost || listed[raw(v)]) continue;
       listed[raw(v)] = true;
-      sites.push_back(v);
+      border.sites.push_back(v);
     }
   }
-  std::ranges::sort(sites);
-  return sites;
+  std::ranges::sort(border.sites);
+  return border;
+}
+
+/// Of each of two meshes the cells that the other one's sites may be in conflict with.
+template <int K>
+std::array<Border, 2> borders(const Mesh& a, const Mesh& b, int threads) {
+  NumberRange range = a.sites.range();
+  range.include(b.sites.range());
+  std::array<Border, 2> found;
+  both(
+      threads, [&] { found[0] = border_of<K>(a, Box<K>(b.sites), range); },
+      [&] { found[1] = border_of<K>(b, Box<K>(a.sites), range); });
+  return found;
 }
 
 /// Two parts side by side in one mesh, and what lies open between them.
 template <int K>
 class Gap {
  public:
-  /// @param open    the cells that are not safe, as far as is known
+  /// @param border  of both parts
   /// @param second  the first site of the second part
-  Gap(Mesh& mesh, std::vector<CellId> open, VertexId second)
-      : mesh_(&mesh),
-        complex_(mesh.complex),
-        open_(std::move(open)),
-        second_(second),
-        is_open_(complex_.slot_count(), false),
-        border_(sites_of_cells<K>(mesh.complex, open_)) {
-    for (const CellId c : open_) is_open_[raw(c)] = true;
-  }
-
-  /// The sites of the open cells, ascending.
-  std::span<const VertexId> border() const { return border_; }
-
-  /// Fills the gap with cells of the seam: the triangulation of the border, whose row i is border()[i].
-  void fill(const Mesh& seam) {
-    Buffer<Index> words;
-    FacetTable<K> rim(words, open_.size());  // of each facet between an open and a safe cell the side of the safe one
-    for (const CellId c : open_) {
+  Gap(Mesh& mesh, const Border& border, VertexId second)
+      : mesh_(&mesh), complex_(mesh.complex), border_(&border), second_(second), rim_(words_, border.cells.size()) {
+    std::vector<bool> is_open(complex_.slot_count(), false);
+    for (const CellId c : border.cells) is_open[raw(c)] = true;
+    for (const CellId c : border.cells) {
       for (int i = 0; i <= K; ++i) {
         const FacetId outside = complex_.twin(c, i);
-        if (!is_open_[raw(complex_.cell(outside))]) rim[rim.key(complex_.vertices(c), i)] = raw(outside);
+        if (!is_open[raw(complex_.cell(outside))]) rim_[rim_.key(complex_.vertices(c), i)] = raw(outside);
       }
     }
+  }
+
+  /// Fills the gap with cells of the seam: the triangulation of the border, whose row i is its site i.
+  void fill(const Mesh& seam) {
     const ConstComplexView<K> cells(seam.complex);
-    const std::vector<CellId> filling = cells_within(rim, cells, seam.sites);
+    const std::vector<CellId> filling = cells_within(cells, seam.sites);
 
     mesh_->complex.reserve_more(filling.size(), mesh_->sites.size());
     // A site of the border is hidden in the whole just where it is in the seam; all others have a cell of the filling.
-    mesh_->vertex_count -= border_.size() - seam.vertex_count;
-    for (const VertexId v : border_) complex_.forget(v);
-    for (const CellId c : open_) complex_.destroy(c);
+    mesh_->vertex_count -= border_->sites.size() - seam.vertex_count;
+    for (const VertexId v : border_->sites) complex_.forget(v);
+    for (const CellId c : border_->cells) complex_.destroy(c);
     std::vector<CellId> made(cells.slot_count(), kNoCell);
     for (const CellId c : filling) {
       const CellId m = made[raw(c)] = complex_.create();
@@ -169,7 +183,7 @@ class Gap {
         if (const CellId across = made[raw(cells.cell(twin))]; across != kNoCell) {
           complex_.set_twin(m, i, complex_.facet(across, cells.slot(twin)));
         } else {
-          const Index outside = rim.at(rim.key(complex_.vertices(m), i));
+          const Index outside = rim_.at(rim_.key(complex_.vertices(m), i));
           DELONE_ASSERT(outside != kNone, "the filling ends at the rim");
           complex_.link(complex_.facet(m, i), FacetId{outside});
         }
@@ -181,12 +195,12 @@ class Gap {
   using Cell = typename Kernel<K>::Cell;
 
   Cell sites_of(Cell cell, const Sites& seam) const {
-    for (VertexId& v : cell) v = v == kGhost ? kGhost : border_[seam.row(v)];
+    for (VertexId& v : cell) v = v == kGhost ? kGhost : border_->sites[seam.row(v)];
     return cell;
   }
 
   /// The cells of the seam that have sites of both parts, and those that hang together with them inside the rim.
-  std::vector<CellId> cells_within(FacetTable<K>& rim, const ConstComplexView<K>& cells, const Sites& seam) const {
+  std::vector<CellId> cells_within(const ConstComplexView<K>& cells, const Sites& seam) {
     std::vector<CellId> found;
     std::vector<bool> is_found(cells.slot_count(), false);
     const auto add = [&](CellId c) {
@@ -201,7 +215,7 @@ class Gap {
       const Cell cell = sites_of(cells.vertices(found[next]), seam);
       for (int i = 0; i <= K; ++i) {
         const CellId across = cells.cell(cells.twin(found[next], i));
-        if (!is_found[raw(across)] && rim.at(rim.key(cell, i)) == kNone) add(across);
+        if (!is_found[raw(across)] && rim_.at(rim_.key(cell, i)) == kNone) add(across);
       }
     }
     return found;
@@ -214,23 +228,11 @@ class Gap {
 
   Mesh* mesh_;
   ComplexView<K> complex_;
-  std::vector<CellId> open_;
+  const Border* border_;
   VertexId second_;
-  std::vector<bool> is_open_;
-  std::vector<VertexId> border_;
+  Buffer<Index> words_;
+  FacetTable<K> rim_;  ///< of each facet between an open and a safe cell the side of the safe one
 };
-
-/// Of two meshes the cells that the other one's sites may be in conflict with.
-template <int K>
-std::array<std::vector<CellId>, 2> open_cells(const Mesh& a, const Mesh& b, int threads) {
-  NumberRange range = a.sites.range();
-  range.include(b.sites.range());
-  std::array<std::vector<CellId>, 2> open;
-  both(
-      threads, [&] { open[0] = Reach<K>(a, Box<K>(b.sites), range).cells(); },
-      [&] { open[1] = Reach<K>(b, Box<K>(a.sites), range).cells(); });
-  return open;
-}
 
 /// Puts the sites and cells of b behind those of a.
 void put_beside(Mesh& a, const Mesh& b, int threads) {
@@ -248,26 +250,35 @@ void put_beside(Mesh& a, const Mesh& b, int threads) {
 
 template <int K>
 std::optional<Mesh> glue_parts(Mesh a, const Mesh& b, int threads) {
-  auto [open, open_of_b] = open_cells<K>(a, b, threads);
-  const auto cells = static_cast<Index>(a.complex.slot_count());
-  for (const CellId c : open_of_b) open.push_back(CellId{raw(c) + cells});
-  const VertexId second{static_cast<Index>(a.sites.size())};
-  a.scratch = {};  // it knows cells that will be others
-  put_beside(a, b, threads);
-  Gap<K> gap(a, std::move(open), second);
-  if (2 * gap.border().size() > a.sites.size()) return std::nullopt;
-  const Mesh seam = triangulate_sites(a.sites, gap.border(), threads);
-  if (seam.complex.dimension() != K) return std::nullopt;
-  gap.fill(seam);
-  a.statistics += seam.statistics;
+  std::array<Border, 2> found = borders<K>(a, b, threads);
+  Border& border = found[0];
+  const Border& border_of_b = found[1];
+  if (2 * (border.sites.size() + border_of_b.sites.size()) > a.sites.size() + b.sites.size()) return std::nullopt;
+  PointCopies points;
+  points.add(a.sites, border.sites);
+  points.add(b.sites, border_of_b.sites);
+  std::optional<Mesh> seam;
+  std::optional<Gap<K>> gap;
+  both(
+      threads, [&] { seam = triangulate_points(points.view(), threads - threads / 2, {}); },
+      [&] {
+        const VertexId second{static_cast<Index>(a.sites.size())};
+        border.add(border_of_b, static_cast<Index>(a.complex.slot_count()), raw(second));
+        a.scratch = {};  // it knows cells that will be others
+        put_beside(a, b, std::max(threads / 2, 1));
+        gap.emplace(a, border, second);
+      });
+  if (seam->complex.dimension() != K) return std::nullopt;
+  gap->fill(*seam);
+  a.statistics += seam->statistics;
   return a;
 }
 
 template <int K>
 double share_of_border(const Mesh& a, const Mesh& b) {
-  const auto open = open_cells<K>(a, b, 1);
-  const std::size_t count = sites_of_cells<K>(a.complex, open[0]).size() + sites_of_cells<K>(b.complex, open[1]).size();
-  return static_cast<double>(count) / static_cast<double>(a.sites.size() + b.sites.size());
+  const auto found = borders<K>(a, b, 1);
+  return static_cast<double>(found[0].sites.size() + found[1].sites.size()) /
+         static_cast<double>(a.sites.size() + b.sites.size());
 }
 
 }  // namespace

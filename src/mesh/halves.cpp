@@ -25,11 +25,12 @@ struct Rows {
   std::vector<double> coordinates, weights;
   int dimension;
 
-  /// Those that `chosen` says yes to.
+  /// Of every step-th row those that `chosen` says yes to.
   template <class Chosen>
-  Rows(PointsView points, const Chosen& chosen) : names(points.size()), dimension(points.dimension()) {
+  Rows(PointsView points, const Chosen& chosen, std::size_t step = 1)
+      : names(points.size() / step + 1), dimension(points.dimension()) {
     std::size_t count = 0;
-    for (std::size_t row = 0; row < points.size(); ++row) {
+    for (std::size_t row = 0; row < points.size(); row += step) {
       names[count] = static_cast<Index>(row);
       count += chosen(row) ? 1 : 0;
     }
@@ -96,8 +97,8 @@ std::optional<Mesh> triangulate_in_halves(PointsView points, std::span<const int
                                           const Progress& progress, std::size_t room) {
   if (threads < 2 || points.size() < kFew || axes.size() < 2) return std::nullopt;
   Stopwatch watch;
-  const std::size_t step = points.size() / kSample;
-  const Rows sample(points, [&](std::size_t row) { return row % step == 0; });
+  const Rows sample(
+      points, [](std::size_t) { return true; }, points.size() / kSample);
   const Cut cut(sample.view(), axes);
   const Progress ask = [&](double) { return !progress || progress(0.0); };
   if (!has_short_border(sample.view(), points.size(), cut, axes, ask)) return std::nullopt;

@@ -60,16 +60,20 @@ Mesh triangulate_plane(PointsView points, const Flat& flat, const CurveCuts& cut
   return mesh;
 }
 
-Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites, int threads) {
-  const auto d = static_cast<std::size_t>(all.dimension());
-  std::vector<double> coordinates(sites.size() * d);
-  std::vector<double> weights;
-  weights.reserve(all.weighted() ? sites.size() : 0);
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    all.copy_point(sites[i], std::span(coordinates).subspan(i * d, d));
-    if (all.weighted()) weights.push_back(all.weight(sites[i]));
-  }
-  return triangulate_points(PointsView(coordinates, all.dimension(), weights), threads, {});
+void PointCopies::add(const Sites& all, std::span<const VertexId> sites) {
+  dimension = all.dimension();
+  const auto d = static_cast<std::size_t>(dimension);
+  const std::size_t before = coordinates.size();
+  coordinates.resize(before + sites.size() * d);
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    all.copy_point(sites[i], std::span(coordinates).subspan(before + i * d, d));
+  for (std::size_t i = 0; all.weighted() && i < sites.size(); ++i) weights.push_back(all.weight(sites[i]));
+}
+
+Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites) {
+  PointCopies points;
+  points.add(all, sites);
+  return triangulate_points(points.view(), 1, {});
 }
 
 }  // namespace delone

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "delone/base/progress.hpp"
 #include "delone/geometry/points.hpp"
@@ -23,7 +24,16 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
 Mesh triangulate_plane(PointsView points, const Flat& flat, const CurveCuts& cuts, int threads,
                        const Progress& progress);
 
+/// The points of some sites, in memory of their own.
+struct PointCopies {
+  std::vector<double> coordinates, weights;
+  int dimension = 0;
+
+  void add(const Sites& all, std::span<const VertexId> sites);
+  PointsView view() const { return {coordinates, dimension, weights}; }
+};
+
 /// The triangulation of some sites; row i of it is sites[i].
-Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites, int threads = 1);
+Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites);
 
 }  // namespace delone
