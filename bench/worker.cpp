@@ -14,6 +14,7 @@
 #include <exception>
 #include <fstream>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -73,19 +74,20 @@ std::vector<double> uniform_weights(std::size_t n, double below, std::uint64_t s
   return weights;
 }
 
-/// Writes to a gibibyte of memory and gives it back, so that what the peer is given next belongs to this machine: where
-/// a hypervisor takes free memory back, writing to a page for the first time costs up to fifty times what the system
-/// asks for a page, and which peer it falls on depends on the size of its pages and on who ran before. The peak of the
-/// process's memory counts anew.
+/// Writes to a gibibyte of memory, in huge pages, and gives it back, so that what the peer is given next belongs to
+/// this machine: where a hypervisor takes free memory back, writing to a page for the first time costs up to fifty
+/// times what the system asks for a page, and which peer it falls on depends on the size of its pages and on who ran
+/// before. The peak of the process's memory counts anew.
 void claim_memory() {
   constexpr std::size_t kBytes = std::size_t{1} << 30;
   constexpr std::size_t kPage = 4096;
   void* const block = mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (block == MAP_FAILED) return;
+  if (block == MAP_FAILED) throw std::runtime_error("no memory to claim before the clock");
   madvise(block, kBytes, MADV_HUGEPAGE);
   for (std::size_t at = 0; at < kBytes; at += kPage) static_cast<volatile char*>(block)[at] = 1;
   munmap(block, kBytes);
-  std::ofstream("/proc/self/clear_refs") << 5;
+  if (!(std::ofstream("/proc/self/clear_refs") << 5 << std::flush))
+    throw std::runtime_error("/proc/self/clear_refs cannot be written: the peak of memory would be wrong");
 }
 
 /// Runs the peer on the first, second, ... part of the points, and adds up.

@@ -3,21 +3,20 @@
 #include <cstdint>
 
 #ifdef __linux__
-#include <malloc.h>
 #include <sys/mman.h>
 #include <unistd.h>
 #endif
 
 namespace delone {
 
-void ask_for_huge_pages([[maybe_unused]] void* block) {
+void ask_for_huge_pages([[maybe_unused]] void* block, [[maybe_unused]] std::size_t bytes) {
 #ifdef __linux__
   constexpr std::uintptr_t kHugePage = std::uintptr_t{1} << 21;
-  static const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
   const auto start = reinterpret_cast<std::uintptr_t>(block);
-  const std::uintptr_t end = start + malloc_usable_size(block);
+  const std::uintptr_t end = start + bytes;
   const std::uintptr_t skip = (kHugePage - start % kHugePage) % kHugePage;
   if (end < start + skip + kHugePage) return;
+  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
   const std::uintptr_t first = start / page * page;
   madvise(static_cast<char*>(block) - (start - first), (end - first + page - 1) / page * page, MADV_HUGEPAGE);
 #endif

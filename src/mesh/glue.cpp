@@ -14,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -159,6 +158,9 @@ class Gap {
     }
   }
 
+  Gap(const Gap&) = delete;  // rim_ stands in words_
+  Gap& operator=(const Gap&) = delete;
+
   /// Fills the gap with cells of the seam: the triangulation of the border, whose row i is its site i.
   void fill(const Mesh& seam) {
     const ConstComplexView<K> cells(seam.complex);
@@ -257,17 +259,19 @@ std::optional<Mesh> glue_parts(Mesh a, const Mesh& b, int threads) {
   PointCopies points;
   points.add(a.sites, border.sites);
   points.add(b.sites, border_of_b.sites);
+  const int few = std::max(threads / 4, 1);  // copying takes less than the seam
   std::optional<Mesh> seam;
   std::optional<Gap<K>> gap;
   both(
-      threads, [&] { seam = triangulate_points(points.view(), threads - threads / 2, {}); },
+      threads, [&] { seam = triangulate_points(points.view(), std::max(threads - few, 1), {}); },
       [&] {
         const VertexId second{static_cast<Index>(a.sites.size())};
         border.add(border_of_b, static_cast<Index>(a.complex.slot_count()), raw(second));
         a.scratch = {};  // it knows cells that will be others
-        put_beside(a, b, std::max(threads / 2, 1));
+        put_beside(a, b, few);
         gap.emplace(a, border, second);
       });
+  points = {};
   if (seam->complex.dimension() != K) return std::nullopt;
   gap->fill(*seam);
   a.statistics += seam->statistics;

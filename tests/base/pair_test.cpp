@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace delone {
 namespace {
@@ -26,6 +28,13 @@ TEST(Pair, lanes_are_picked_from_two) {
   expect_pair(turned(a, b), 2.0, 3.0);
   expect_pair(turned(b, a), 4.0, 1.0);
   expect_pair(larger(Pair{1.0, 5.0}, Pair{3.0, 4.0}), 3.0, 5.0);
+}
+
+TEST(Pair, a_magnitude_is_that_of_each_lane) {
+  expect_pair(magnitude(Pair{-1.0, 2.0}), 1.0, 2.0);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  expect_pair(magnitude(Pair{-kInfinity, -0x1p-1074}), kInfinity, 0x1p-1074);
+  EXPECT_FALSE(std::signbit(magnitude(Pair{-0.0, 0.0})[0]));
 }
 
 TEST(Pair, every_lane_is_rounded_as_a_double_is) {

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
+#include <type_traits>
 #include <vector>
 
 #include "delone/base/dispatch.hpp"
@@ -83,34 +85,66 @@ PointSet wide_lattice_just_missed(std::size_t n, std::uint64_t seed) {
   return points;
 }
 
+/// Inserts points, all different and without weights, one after the other, and shows each while its cavity and its star
+/// are both there: watch(complex, kernel, scratch, site).
+template <int K, class Watch>
+void watch_insertions(const PointSet& points, const Watch& watch) {
+  DistinctSites distinct = distinct_sites(points.view(), Order::brio, 1, 1);
+  Mesh& mesh = distinct.mesh;
+  mesh.complex.reserve_more(K + 2, mesh.sites.size());
+  mesh.complex.grow_vertices(mesh.sites.size());
+  make_first_cells<K>(mesh);
+  const ComplexView<K> complex(mesh.complex);
+  Kernel<K> kernel(mesh.sites);
+  Inserter<K> inserter(mesh);
+  for (std::size_t i = K + 1; i < distinct.count; ++i) {
+    const VertexId q{static_cast<Index>(i)};
+    WalkStats walked;
+    const CellId c = walk(complex, kernel, kernel.at(q), complex.incident_cell(kGhost), walked);
+    inserter.insert_at(q, c, [&](Scratch& scratch) { watch(complex, kernel, scratch, q); });
+  }
+}
+
 TEST(Cavity, what_hyperplanes_see_belongs_to_those_that_are_kept) {
   for (const PointSet& points : {uniform(4, 60, 1), lattice(4, 60, 3, 2), wide_lattice_just_missed(100, 3)}) {
-    DistinctSites distinct = distinct_sites(points.view(), Order::brio, 1, 1);
-    Mesh& mesh = distinct.mesh;
-    mesh.complex.reserve_more(6, mesh.sites.size());
-    mesh.complex.grow_vertices(mesh.sites.size());
-    make_first_cells<4>(mesh);
-    const ComplexView<4> complex(mesh.complex);
-    Kernel<4> kernel(mesh.sites);
-    Inserter<4> inserter(mesh);
-    for (std::size_t i = 5; i < distinct.count; ++i) {
-      const VertexId q{static_cast<Index>(i)};
-      WalkStats walked;
-      const CellId c = walk(complex, kernel, kernel.at(q), complex.incident_cell(kGhost), walked);
-      inserter.insert_at(q, c, [&](Scratch& scratch) {
-        for (std::size_t b = 0; b < scratch.boundary.size(); ++b) {
-          const FacetId inside = scratch.boundary[b];
-          const CellId outside = complex.cell(complex.twin(scratch.created[b], complex.slot(inside)));
-          const Sight in = kernel.sight(scratch.plane<4>(complex.cell(inside)), q);
-          const Sight out = kernel.sight(scratch.plane<4>(outside), q);
-          EXPECT_EQ(scratch.sights[b].inside.value, in.value) << points.name;
-          EXPECT_EQ(scratch.sights[b].inside.bound, in.bound) << points.name;
-          EXPECT_EQ(scratch.sights[b].outside.value, out.value) << points.name;
-          EXPECT_EQ(scratch.sights[b].outside.bound, out.bound) << points.name;
-        }
-      });
-    }
+    watch_insertions<4>(points, [&](ComplexView<4> complex, Kernel<4>& kernel, Scratch& scratch, VertexId q) {
+      for (std::size_t b = 0; b < scratch.boundary.size(); ++b) {
+        const FacetId inside = scratch.boundary[b];
+        const CellId outside = complex.cell(complex.twin(scratch.created[b], complex.slot(inside)));
+        const Sight in = kernel.sight(scratch.plane<4>(complex.cell(inside)), q);
+        const Sight out = kernel.sight(scratch.plane<4>(outside), q);
+        EXPECT_EQ(scratch.sights[b].inside.value, in.value) << points.name;
+        EXPECT_EQ(scratch.sights[b].inside.bound, in.bound) << points.name;
+        EXPECT_EQ(scratch.sights[b].outside.value, out.value) << points.name;
+        EXPECT_EQ(scratch.sights[b].outside.bound, out.bound) << points.name;
+      }
+    });
   }
+}
+
+/// Where two ridges have one name, some cells are linked wrongly, and then all are linked by turning.
+TEST(Star, turning_mends_what_a_table_linked_wrongly) {
+  const auto in_dimension = [](auto dimension) {
+    constexpr int kDimension = dimension;
+    const auto watch = [](ComplexView<kDimension> complex, Kernel<kDimension>&, Scratch& scratch, VertexId q) {
+      std::vector<std::array<FacetId, kDimension + 1>> twins;
+      for (const CellId c : scratch.created) twins.push_back(complex.twins(c));
+      for (std::size_t b = 0; b < scratch.created.size(); ++b) {
+        const CellId other = scratch.created[(b + 1) % scratch.created.size()];
+        for (int i = 1; i <= kDimension; ++i) {
+          const int slot = complex.turned(complex.slot(scratch.boundary[b]), i);
+          complex.set_twin(scratch.created[b], slot, complex.facet(other, slot));
+        }
+      }
+      star::link_by_turning(complex, q, scratch);
+      for (std::size_t b = 0; b < scratch.created.size(); ++b) EXPECT_EQ(complex.twins(scratch.created[b]), twins[b]);
+    };
+    watch_insertions<kDimension>(uniform(kDimension, 30, 1), watch);
+    watch_insertions<kDimension>(lattice(kDimension, 30, 3, 2), watch);
+  };
+  in_dimension(std::integral_constant<int, 4>{});
+  in_dimension(std::integral_constant<int, 5>{});
+  in_dimension(std::integral_constant<int, 6>{});
 }
 
 struct Found {

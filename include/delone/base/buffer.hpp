@@ -1,5 +1,5 @@
-// A growing array of plain numbers that is neither zeroed nor copied when it grows: large blocks move by remapping
-// pages, so a triangulation of a gigabyte grows without touching what it holds.
+// A growing array of plain numbers that is not zeroed when it grows, and where it is large not copied: on Linux such
+// blocks move by remapping pages, so a triangulation of a gigabyte grows without touching what it holds.
 #pragma once
 
 #include <algorithm>

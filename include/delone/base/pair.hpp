@@ -22,7 +22,8 @@ inline Pair turned(Pair a, Pair b) { return __builtin_shufflevector(a, b, 1, 2);
 inline Pair larger(Pair a, Pair b) { return a > b ? a : b; }
 inline Pair magnitude(Pair a) {
   using Bits = std::int64_t __attribute__((vector_size(16)));
-  return reinterpret_cast<Pair>(reinterpret_cast<Bits>(a) & std::numeric_limits<std::int64_t>::max());  // but the sign
+  constexpr std::int64_t kAllButSign = std::numeric_limits<std::int64_t>::max();
+  return reinterpret_cast<Pair>(reinterpret_cast<Bits>(a) & kAllButSign);
 }
 inline double sum(Pair a) { return a[0] + a[1]; }
 inline double largest(Pair a) { return a[0] > a[1] ? a[0] : a[1]; }

@@ -105,7 +105,7 @@ template <int K>
       const std::byte* const plane = scratch.planes.data() + raw(across) * Scratch::plane_size(K);
       __builtin_prefetch(scratch.marks.data() + raw(across));
       __builtin_prefetch(plane);
-      __builtin_prefetch(plane + Scratch::plane_size(K) - 1);  // most lie across two lines of the cache
+      __builtin_prefetch(plane + Scratch::plane_size(K) - 1);  // half of them or more lie across two lines
     }
   }
 }

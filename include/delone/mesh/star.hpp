@@ -115,8 +115,8 @@ inline std::uint64_t name(VertexId v) {
 
 /// Above 3D: a table of ridges by their names holds the last facet met at each, of which there are two. Names are not
 /// compared with vertices: if two ridges had one name, there would be fewer names than ridges, and only then is the
-/// answer false, with all cells made and not all linked. Whether a facet is the first or the second at its ridge steers
-/// no branch: the first is linked to itself until the second comes.
+/// answer false, with all cells made, but some linked wrongly. Whether a facet is the first or the second at its ridge
+/// steers no branch: the first is linked to itself until the second comes.
 template <int K>
 bool fill_by_ridge_table(ComplexView<K> complex, VertexId q, Scratch& scratch) {
   RidgeTable::Entry* const entries = scratch.ridges.entries.data();
