@@ -214,15 +214,10 @@ class Report {
            "* Qhull is the shared library as Debian builds it; Delone, and no rival, is compiled with "
            "-ffp-contract=off\n\n"
            "One thread. Points in memory in random order; the clock covers construction with the library's own sort. "
-           "Every run\n"
-           "is a process of its own, repeated when it had to share its processor; the contestants of a row take turns "
-           "on the\n"
-           "same points, round after round. Before the clock each writes to a gibibyte of huge pages and gives it "
-           "back: "
-           "a\n"
-           "hypervisor that takes free memory back makes new pages cost many times their price. Given are the median "
-           "and, in\n"
-           "brackets, the least and the largest value.\n\n";
+           "Every run\nis a process of its own, repeated when it had to share its processor; the contestants of a row "
+           "take turns on the\nsame points, round after round. Before the clock each writes to a gibibyte of "
+           "huge pages and gives it back: a\nhypervisor that takes free memory back makes new pages cost many times "
+           "their price. Given are the median and, in\nbrackets, the least and the largest value.\n\n";
   }
 
   std::string targets() const {

@@ -22,27 +22,26 @@ constexpr std::size_t kSample = 1 << 11;  ///< of the points, to find where and 
 /// Some of the rows of a table, ascending.
 struct Rows {
   std::vector<Index> names;
-  std::vector<double> coordinates, weights;
-  int dimension;
+  PointCopies copies;
 
   /// Of every step-th row those that `chosen` says yes to.
   template <class Chosen>
   Rows(PointsView points, const Chosen& chosen, std::size_t step = 1)
-      : names(points.size() / step + 1), dimension(points.dimension()) {
+      : names(points.size() / step + 1), copies{{}, {}, points.dimension()} {
     std::size_t count = 0;
     for (std::size_t row = 0; row < points.size(); row += step) {
       names[count] = static_cast<Index>(row);
       count += chosen(row) ? 1 : 0;
     }
     names.resize(count);
-    coordinates.reserve(count * static_cast<std::size_t>(dimension));
-    weights.reserve(points.weighted() ? count : 0);
+    copies.coordinates.reserve(count * static_cast<std::size_t>(points.dimension()));
+    copies.weights.reserve(points.weighted() ? count : 0);
     for (const Index row : names) {
-      coordinates.insert(coordinates.end(), points[row].begin(), points[row].end());
-      if (points.weighted()) weights.push_back(points.weight(row));
+      copies.coordinates.insert(copies.coordinates.end(), points[row].begin(), points[row].end());
+      if (points.weighted()) copies.weights.push_back(points.weight(row));
     }
   }
-  PointsView view() const { return {coordinates, dimension, weights}; }
+  PointsView view() const { return copies.view(); }
 };
 
 /// A plane across an axis: coordinates below `at` lie on its lower side.
