@@ -187,7 +187,7 @@ class Hull {
   void replace_visible(VertexId q, CellId first) {
     search(q, first);
     complex_.reserve_more(scratch_.boundary.size(), sites_->size());
-    scratch_.prepare_star(0, view_.slot_count());
+    scratch_.prepare_star(0, view_.slot_count() + scratch_.boundary.size());
     for (const FacetId f : scratch_.cavity) {
       Node& node = nodes_[node_of_[raw(view_.cell(f))]];
       node.facet = kNoCell;

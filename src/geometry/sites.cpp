@@ -115,22 +115,6 @@ void Sites::append(PointsView points, std::span<const Index> order, Index first_
   });
 }
 
-void Sites::append(const Sites& other) {
-  DELONE_ASSERT(flat_ == other.flat_ && other.empty_.empty(), "sites of one flat, none of them removed");
-  const auto copy = []<class T>(const Buffer<T>& from, Buffer<T>& to) {
-    if (!from.empty()) std::ranges::copy(from, to.extend(from.size()));
-  };
-  copy(other.leading_, leading_);
-  copy(other.others_, others_);
-  copy(other.weights_, weights_);
-  range_.include(other.range_);
-  if (vertex_of_.size() < other.vertex_of_.size()) grow_rows(other.vertex_of_.size());
-  for (const Index row : other.row_of_) {
-    vertex_of_[row] = static_cast<Index>(row_of_.size());
-    row_of_.push_back(row);
-  }
-}
-
 VertexId Sites::put(std::span<const double> point, double weight, Index row) {
   if (empty_.empty()) return append(point, weight, row);
   const VertexId v{empty_[empty_.size() - 1]};
@@ -152,6 +136,18 @@ void Sites::take_back(VertexId v) {
   const Index last = row(v);
   remove(v);
   if (last + std::size_t{1} == vertex_of_.size()) vertex_of_.resize(last);
+}
+
+Sites Sites::lent() {
+  Sites other(dimension_, weighted_, flat_);
+  other.range_ = range_;
+  other.leading_ = leading_.lent();
+  other.others_ = others_.lent();
+  other.weights_ = weights_.lent();
+  other.row_of_ = row_of_.lent();
+  other.vertex_of_ = vertex_of_.lent();
+  other.empty_ = empty_.lent();
+  return other;
 }
 
 void Sites::rename_rows(std::span<const Index> names, std::size_t count) {

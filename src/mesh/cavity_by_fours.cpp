@@ -41,11 +41,12 @@ DELONE_BY_FOURS [[gnu::always_inline]] inline void push_chosen(Refill<FacetId>& 
 /// The search in breadth of cavity.hpp, a cell of the cavity at a time: all cells across its facets are tested, also
 /// those known to be in conflict, whose answers are dropped. Where ghosts take part, which is seldom, each is tested
 /// alone; a finite cell's neighbour is a ghost when its apex is.
-DELONE_BY_FOURS void search(ComplexView<3> complex, Kernel<3>& kernel, VertexId q, CellId start, Scratch& scratch) {
+DELONE_BY_FOURS bool search(ComplexView<3> complex, Kernel<3>& kernel, VertexId q, CellId start, Scratch& scratch) {
   Refill cavity(scratch.cavity);
   Refill boundary(scratch.boundary);
   Scratch::Mark* const marks = scratch.marks.data();
   FourConflicts conflicts(kernel, q);
+  const Territory territory = scratch.territory;
   std::size_t asked = 0;
   cavity.make_room(1);
   cavity.push(complex.facet(start, 0));
@@ -82,28 +83,40 @@ DELONE_BY_FOURS void search(ComplexView<3> complex, Kernel<3>& kernel, VertexId 
       conflict |= (conflicting ? 1U : 0U) << i;
       ++asked;
     }
+    unsigned held = 15;
+    if (!territory.whole()) {  // what c has in common with a cell across is held
+      for (std::size_t i = 0; i < 4; ++i) held &= ~((territory.holds(apexes[i]) ? 0U : 1U) << i);
+      if ((conflict & ~held) != 0) return false;
+    }
     known |= conflict;
+    if (held == 15) [[likely]] {
 #pragma GCC unroll 4
-    for (std::size_t i = 0; i < 4; ++i) marks[raw(across[i])] = static_cast<Scratch::Mark>(known >> i & 1);
+      for (std::size_t i = 0; i < 4; ++i) marks[raw(across[i])] = static_cast<Scratch::Mark>(known >> i & 1);
+    } else {
+      for (std::size_t i = 0; i < 4; ++i) {
+        if ((held >> i & 1) != 0) marks[raw(across[i])] = static_cast<Scratch::Mark>(known >> i & 1);
+      }
+    }
     push_chosen(cavity, conflict, outside);
     push_chosen(boundary, ~known & 15, inside);
   }
   kernel.count_filtered(cavity.size() - 1 + boundary.size() - asked);
+  return true;
 }
 
 }  // namespace
 
-bool find_cavity_by_fours(ComplexView<3> complex, Kernel<3>& kernel, VertexId q, CellId start, Scratch& scratch) {
-  if (!FourConflicts::possible() || kernel.flat()) return false;
-  search(complex, kernel, q, start, scratch);
-  return true;
+std::optional<bool> find_cavity_by_fours(ComplexView<3> complex, Kernel<3>& kernel, VertexId q, CellId start,
+                                         Scratch& scratch) {
+  if (!FourConflicts::possible() || kernel.flat()) return std::nullopt;
+  return search(complex, kernel, q, start, scratch);
 }
 
 #else
 
-bool find_cavity_by_fours(ComplexView<3> /*complex*/, Kernel<3>& /*kernel*/, VertexId /*q*/, CellId /*start*/,
-                          Scratch& /*scratch*/) {
-  return false;
+std::optional<bool> find_cavity_by_fours(ComplexView<3> /*complex*/, Kernel<3>& /*kernel*/, VertexId /*q*/,
+                                         CellId /*start*/, Scratch& /*scratch*/) {
+  return std::nullopt;
 }
 
 #endif

@@ -8,7 +8,7 @@
 #include "delone/geometry/affine.hpp"
 #include "delone/order/brio.hpp"
 #include "mesh/divide_conquer.hpp"
-#include "mesh/halves.hpp"
+#include "mesh/in_parts.hpp"
 #include "mesh/incremental.hpp"
 #include "mesh/plane_cuts.hpp"
 
@@ -37,14 +37,13 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
     mesh.statistics.order_seconds += ordered;
     return mesh;
   }
-  if (auto mesh = triangulate_in_halves(points, axes, threads, progress, room)) return std::move(*mesh);
-  watch.lap();
   Mesh mesh(Sites(points.dimension(), points.weighted(), hull.flat));
   std::vector<Index> order = brio_order(points, axes, threads);
+  const std::vector<std::size_t> rounds = round_ends(order, static_cast<int>(axes.size()));
   bring_to_front(order, std::span(hull.basis).first(points.empty() ? 0 : axes.size() + 1));
   mesh.sites.append(points, order, 0, threads);
   mesh.statistics.order_seconds = watch.lap();
-  insert_all(mesh, progress, room);
+  insert_all_in_parts(mesh, rounds, threads, progress, room);
   mesh.statistics.insert_seconds = watch.lap();
   return mesh;
 }
@@ -60,20 +59,15 @@ Mesh triangulate_plane(PointsView points, const Flat& flat, const CurveCuts& cut
   return mesh;
 }
 
-void PointCopies::add(const Sites& all, std::span<const VertexId> sites) {
-  dimension = all.dimension();
-  const auto d = static_cast<std::size_t>(dimension);
-  const std::size_t before = coordinates.size();
-  coordinates.resize(before + sites.size() * d);
-  for (std::size_t i = 0; i < sites.size(); ++i)
-    all.copy_point(sites[i], std::span(coordinates).subspan(before + i * d, d));
-  for (std::size_t i = 0; all.weighted() && i < sites.size(); ++i) weights.push_back(all.weight(sites[i]));
-}
-
 Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites) {
-  PointCopies points;
-  points.add(all, sites);
-  return triangulate_points(points.view(), 1, {});
+  const auto d = static_cast<std::size_t>(all.dimension());
+  std::vector<double> coordinates(sites.size() * d);
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    all.copy_point(sites[i], std::span(coordinates).subspan(i * d, d));
+    if (all.weighted()) weights.push_back(all.weight(sites[i]));
+  }
+  return triangulate_points(PointsView(coordinates, all.dimension(), weights), 1, {});
 }
 
 }  // namespace delone

@@ -1,6 +1,6 @@
 // Points in, a mesh out: the default method for each kind of input.
 //   in the plane, without weights   divide and conquer, whose parts need nothing of each other
-//   else                            insertion one by one along a curve; for several threads and many points by halves
+//   else                            insertion one by one along a curve, for many points by several threads
 #pragma once
 
 #include <span>
@@ -23,15 +23,6 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
 /// flat. Where all lie on a line it has ghosts only, where all stand at one place no cell. @throws as above
 Mesh triangulate_plane(PointsView points, const Flat& flat, const CurveCuts& cuts, int threads,
                        const Progress& progress);
-
-/// The points of some sites, in memory of their own.
-struct PointCopies {
-  std::vector<double> coordinates, weights;
-  int dimension = 0;
-
-  void add(const Sites& all, std::span<const VertexId> sites);
-  PointsView view() const { return {coordinates, dimension, weights}; }
-};
 
 /// The triangulation of some sites; row i of it is sites[i].
 Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites);

@@ -25,6 +25,8 @@ BuildStatistics& BuildStatistics::operator+=(const BuildStatistics& other) {
   walk_steps += other.walk_steps;
   walk_fallbacks += other.walk_fallbacks;
   cells_created += other.cells_created;
+  put_off += other.put_off;
+  in_turn += other.in_turn;
   flips += other.flips;
   history_steps += other.history_steps;
   return *this;

@@ -146,6 +146,19 @@ struct Cube {
   }
 };
 
+/// Rounds beyond the first.
+int round_count(std::size_t points, std::size_t axes) {
+  const std::size_t few = axes <= 3 ? 4096 : 64;  // above 3D one star costs as much as many walks
+  int rounds = 0;
+  for (; points > few; points /= 8) ++rounds;
+  return rounds;
+}
+
+/// The round of a row, 0 to `rounds`: seven of eight are in the last, and so on.
+int round_of(Index row, int rounds) {
+  return rounds == 0 ? 0 : rounds - std::min(rounds, std::countr_zero(mix(row)) / 3);
+}
+
 constexpr int kWord = 64;  // more than a key has bits: cuts of one grid have so many depths
 
 /// So few rows are parted by a balanced tree of three levels.
@@ -212,8 +225,8 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
         for (std::size_t j = 0; j < count; ++j) cells[j] = cube.grid_cell(points[rows.row(i + j)], next_axes, bits);
         const auto distances = HilbertCurve<K>::distances(cells, bits);
         for (std::size_t j = 0; j < count; ++j) {
-          const int early = job.rounds == 0 ? 0 : std::min(job.rounds, std::countr_zero(mix(rows.row(i + j))) / 3);
-          rows.set_key(i + j, static_cast<std::uint64_t>(job.rounds - early) << (bits * K) | distances[j]);
+          const int round = round_of(rows.row(i + j), job.rounds);
+          rows.set_key(i + j, static_cast<std::uint64_t>(round) << (bits * K) | distances[j]);
         }
       }
     });
@@ -258,10 +271,18 @@ CurveCuts cuts_along_curve(PointsView points, std::span<const int> axes, int thr
 }  // namespace
 
 std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int threads) {
-  const std::size_t few = axes.size() <= 3 ? 4096 : 64;  // above 3D one star costs as much as many walks
-  int rounds = 0;
-  for (std::size_t n = points.size(); n > few; n /= 8) ++rounds;
-  return order_in_rounds(points, axes, rounds, threads);
+  return order_in_rounds(points, axes, round_count(points.size(), axes.size()), threads);
+}
+
+std::vector<std::size_t> round_ends(std::span<const Index> order, int axes) {
+  const int rounds = round_count(order.size(), static_cast<std::size_t>(axes));
+  std::vector<std::size_t> ends;
+  for (int round = 0; round < rounds; ++round) {
+    const auto end = std::ranges::partition_point(order, [&](Index row) { return round_of(row, rounds) <= round; });
+    ends.push_back(static_cast<std::size_t>(end - order.begin()));
+  }
+  ends.push_back(order.size());
+  return ends;
 }
 
 std::vector<Index> curve_order(PointsView points, std::span<const int> axes, int threads) {

@@ -1,14 +1,21 @@
 #include "delone/topology/complex.hpp"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
-#include "base/chunks.hpp"
 #include "delone/base/errors.hpp"
 
 namespace delone {
 
 void Complex::reserve_more(std::size_t cells, std::size_t vertex_slots) {
+  if (supply_.step != 0) {
+    for (; supply_.drawn - live_ < cells; supply_.next += supply_.step, supply_.drawn += kRow) {
+      if (supply_.next + kRow > supply_.end) throw std::bad_alloc();
+      add_dead_row(supply_.next);
+    }
+    return;
+  }
   if (dimension_ >= 0) {
     cells -= std::min(cells, slot_count() - live_);  // those of dead cells are taken first
     if (slot_count() + cells > nameable_slots()) {
@@ -19,29 +26,39 @@ void Complex::reserve_more(std::size_t cells, std::size_t vertex_slots) {
   if (vertex_slots > incident_.size()) incident_.reserve_more(vertex_slots - incident_.size());
 }
 
-void Complex::append(const Complex& other, int threads) {
-  DELONE_ASSERT(other.dimension_ == dimension_, "cells of the same kind");
-  const std::size_t dead = slot_count() - live_;  // none of these is taken
-  reserve_more(other.slot_count() + dead, vertex_slots() + other.vertex_slots());
-  const auto cells = static_cast<Index>(slot_count());
-  const auto facets = static_cast<Index>(facet_slots());
-  const auto vertices = static_cast<Index>(vertex_slots());
-  const auto shifted = [](Index id, Index by) { return id == kNone ? kNone : id + by; };
-  const auto width = static_cast<std::size_t>(corners());
-  Index* const to = ids_.extend(other.ids_.size());
-  for_chunks(other.slot_count(), threads, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin * stride(); i < end * stride(); i += stride()) {
-      for (std::size_t j = 0; j < width; ++j) to[i + j] = shifted(other.ids_[i + j], vertices);
-      for (std::size_t j = width; j < 2 * width; ++j) to[i + j] = other.ids_[i + j] + facets;
-    }
-  });
-  for (Index c = other.free_; c != kNone; c = other.ids_[c * stride() + 1]) {
-    to[c * stride()] = kDead;
-    to[c * stride() + 1] = std::exchange(free_, c + cells);
+void Complex::add_dead_row(std::size_t first) {
+  for (std::size_t slot = first + kRow; slot-- > first;) {
+    ids_[slot * stride()] = kDead;
+    ids_[slot * stride() + 1] = std::exchange(free_, static_cast<Index>(slot));
   }
-  for (const Index c : other.incident_) incident_.push_back(shifted(c, cells));
-  live_ += other.live_;
-  ghosts_ += other.ghosts_;
+}
+
+Complex Complex::part(std::size_t which, std::size_t count) {
+  Complex part(dimension_);
+  part.ids_ = ids_.lent();
+  part.ids_.resize(slot_room() * stride());
+  part.incident_ = incident_.lent();
+  part.supply_ = {.next = slot_count() + which * kRow, .step = count * kRow, .end = slot_room()};
+  return part;
+}
+
+void Complex::end_parts(std::span<Complex* const> parts) {
+  std::size_t used = slot_count();
+  for (const Complex* part : parts) {
+    if (part->supply_.drawn != 0) used = std::max(used, part->supply_.next - part->supply_.step + kRow);
+  }
+  ids_.resize(used * stride());
+  for (Complex* one : parts) {
+    Complex& part = *one;
+    for (; part.supply_.next < used; part.supply_.next += part.supply_.step) part.add_dead_row(part.supply_.next);
+    while (part.free_ != kNone) {
+      Index& next = ids_[part.free_ * stride() + 1];
+      free_ = std::exchange(part.free_, std::exchange(next, free_));
+    }
+    live_ += part.live_;
+    ghosts_ += part.ghosts_;
+    if (part.ghost_cell_ != kNoCell) ghost_cell_ = part.ghost_cell_;
+  }
 }
 
 void Complex::shrink() {

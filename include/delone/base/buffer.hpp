@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <type_traits>
 #include <utility>
 
@@ -31,12 +32,24 @@ class Buffer {
     swap(other);
     return *this;
   }
-  ~Buffer() { std::free(data_); }
+  ~Buffer() {
+    if (!lent_) std::free(data_);
+  }
 
   void swap(Buffer& other) noexcept {
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
     std::swap(capacity_, other.capacity_);
+    std::swap(lent_, other.lent_);
+  }
+  /// Another buffer over the same block, which it neither frees nor grows, good until this one grows or goes.
+  Buffer lent() {
+    Buffer other;
+    other.data_ = data_;
+    other.size_ = size_;
+    other.capacity_ = capacity_;
+    other.lent_ = true;
+    return other;
   }
 
   std::size_t size() const { return size_; }
@@ -93,6 +106,7 @@ class Buffer {
 
  private:
   void reallocate(std::size_t capacity) {
+    if (lent_) throw std::bad_alloc();
     data_ = static_cast<T*>(reallocate_block(data_, capacity, sizeof(T)));
     capacity_ = capacity;
   }
@@ -100,6 +114,7 @@ class Buffer {
   T* data_ = nullptr;
   std::size_t size_ = 0;
   std::size_t capacity_ = 0;
+  bool lent_ = false;  ///< the block belongs to another buffer
 };
 
 /// Fills a buffer from its start; its place stands in registers, and the buffer learns its size at the end.

@@ -93,8 +93,6 @@ class Sites {
   VertexId append(std::span<const double> point, double weight, Index row);
   /// Appends rows of `points` in the given order, each under its number plus `first_row`; makes room.
   void append(PointsView points, std::span<const Index> order, Index first_row, int threads = 1);
-  /// Appends the sites of another table of the same kind, under their own rows, of which none is known here.
-  void append(const Sites& other);
   /// Makes room for rows below `count` to be named.
   void grow_rows(std::size_t count) { vertex_of_.resize(count, kNone); }
   /// Puts a point into an empty slot, or appends it. Requires reserved room.
@@ -113,6 +111,8 @@ class Sites {
   /// Whether two sites have the same coordinates.
   bool same_place(VertexId a, VertexId b) const;
   void shrink();
+  /// The same sites in the same memory, good until these grow or go.
+  Sites lent();
 
   std::size_t memory_bytes() const {
     return (leading_.capacity() + others_.capacity() + weights_.capacity()) * sizeof(double) +

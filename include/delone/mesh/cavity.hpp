@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "delone/geometry/kernel.hpp"
 #include "delone/mesh/scratch.hpp"
@@ -45,7 +46,7 @@ template <int K>
                                   VertexId q, const Sight& seen) {
   const Hyperplane<K> plane = kernel.hyperplane(complex.vertices(c));
   if (plane.tilt_error == 0.0) return seen;
-  scratch.plane<K>(c) = plane;
+  if (scratch.territory.holds(complex.vertices(c))) scratch.plane<K>(c) = plane;
   return kernel.sight(plane, q);
 }
 
@@ -120,12 +121,13 @@ bool marks_cells(const Kernel<K>& kernel) {
 /// conflict, as often some as others, are listed first, and no branch depends on the outcome of a test: nobody can
 /// predict either.
 template <int K>
-void find_cavity_in_breadth(ComplexView<K> complex, Kernel<K>& kernel, VertexId q, CellId start, Scratch& scratch) {
+bool find_cavity_in_breadth(ComplexView<K> complex, Kernel<K>& kernel, VertexId q, CellId start, Scratch& scratch) {
   Refill cavity(scratch.cavity);
   Refill boundary(scratch.boundary);
   Refill sights(scratch.sights);                // of the two cells at a facet of the boundary
   Refill inside_sights(scratch.inside_sights);  // of those in the cavity
   Scratch::Mark* const marks = scratch.marks.data();
+  const Territory territory = scratch.territory;
   cavity.make_room(1);
   cavity.push(complex.facet(start, 0));
   marks[raw(start)] = Scratch::Mark::conflicting;
@@ -165,25 +167,31 @@ void find_cavity_in_breadth(ComplexView<K> complex, Kernel<K>& kernel, VertexId 
         inside_sights.push_if(conflicting, seen);
         sights.push_if(!conflicting, {inside_sights[next], seen});
       }
-      marks[raw(across)] = static_cast<Scratch::Mark>(conflicting);
+      if (!territory.whole() && !territory.holds(complex.vertex(outside[i]))) [[unlikely]] {
+        if (conflicting) return false;
+      } else {
+        marks[raw(across)] = static_cast<Scratch::Mark>(conflicting);
+      }
       cavity.push_if(conflicting, outside[i]);
       boundary.push_if(!conflicting, inside[i]);
     }
   }
+  return true;
 }
 
 /// The same in 3D with the tests of a cell's four neighbours side by side, on processors that can (x86-64 with AVX2 and
-/// FMA). Elsewhere it does nothing and returns false; so where the sites lie in a flat of more dimensions.
-bool find_cavity_by_fours(ComplexView<3> complex, Kernel<3>& kernel, VertexId q, CellId start, Scratch& scratch);
+/// FMA). Elsewhere it does nothing; so where the sites lie in a flat of more dimensions.
+std::optional<bool> find_cavity_by_fours(ComplexView<3> complex, Kernel<3>& kernel, VertexId q, CellId start,
+                                         Scratch& scratch);
 
 /// Finds all cells in conflict with q, from one of them, into `scratch`. Changes nothing else; on std::bad_alloc every
-/// marked cell is listed.
+/// marked cell is listed, and where a cell would go that the territory does not hold: then the answer is false.
 template <int K>
-void find_cavity(ComplexView<K> complex, Kernel<K>& kernel, VertexId q, CellId start, Scratch& scratch) {
+bool find_cavity(ComplexView<K> complex, Kernel<K>& kernel, VertexId q, CellId start, Scratch& scratch) {
   if constexpr (K == 3) {
-    if (find_cavity_by_fours(complex, kernel, q, start, scratch)) return;
+    if (const auto found = find_cavity_by_fours(complex, kernel, q, start, scratch)) return *found;
   }
-  find_cavity_in_breadth(complex, kernel, q, start, scratch);
+  return find_cavity_in_breadth(complex, kernel, q, start, scratch);
 }
 
 /// In 2D depth first, the edges of a cell in turning order: this lists the boundary as the cycle that it is (cells are
@@ -191,7 +199,7 @@ void find_cavity(ComplexView<K> complex, Kernel<K>& kernel, VertexId q, CellId s
 /// along with the search. Without weights the cavity has no vertex inside, so no cell is reached twice, and none is
 /// marked.
 template <>
-inline void find_cavity(ComplexView<2> complex, Kernel<2>& kernel, VertexId q, CellId start, Scratch& scratch) {
+inline bool find_cavity(ComplexView<2> complex, Kernel<2>& kernel, VertexId q, CellId start, Scratch& scratch) {
   Refill cavity(scratch.cavity);
   Refill fronts(scratch.fronts);
   Refill boundary(scratch.boundary);
@@ -242,6 +250,7 @@ inline void find_cavity(ComplexView<2> complex, Kernel<2>& kernel, VertexId q, C
                                     [&] { return complex.vertices(c); });
     }
     if (conflicting) {
+      if (!scratch.territory.holds(complex.vertex(front.outside))) return false;
       cavity.make_room(1);
       fronts.make_room(1);
       cavity.push(front.outside);
@@ -259,7 +268,7 @@ inline void find_cavity(ComplexView<2> complex, Kernel<2>& kernel, VertexId q, C
     } else {
       boundary.make_room(1);
       boundary.push_if(!known, complex.twin(c, entry));
-      if (fronts.empty()) break;
+      if (fronts.empty()) return true;
       front = fronts.pop();
     }
   }

@@ -40,13 +40,19 @@ class Inserter {
 
   /// Inserts site q, which is in no cell yet, starting the walk from the live cell `start`.
   /// On std::bad_alloc the mesh is as it was. Cost: the walk, then O(K * cells changed).
-  Outcome insert(VertexId q, CellId start) {
+  Outcome insert(VertexId q, CellId start) { return *try_insert(q, start); }
+
+  /// The same where the scratch's territory has a vertex of `start`. Nothing, and the mesh is as it was, when the walk
+  /// or the cavity would leave it.
+  std::optional<Outcome> try_insert(VertexId q, CellId start) {
     reserve();
     WalkStats walked;
-    const CellId c = walk(complex_, kernel_, kernel_.at(q), start, walked);
+    const CellId c = walk(complex_, kernel_, kernel_.at(q), start, walked, scratch_->territory);
     mesh_->statistics.walk_steps += walked.steps;
     mesh_->statistics.walk_fallbacks += walked.fallbacks;
     last_ = c;
+    if (c == kNoCell) return std::nullopt;
+    if (!scratch_->territory.whole() && !scratch_->territory.holds(complex_.vertices(c))) return std::nullopt;
     if (const VertexId v = vertex_at_place_of(q, c); v != kGhost) {
       if (const auto outcome = meet_at_same_place(*mesh_, q, v)) {
         if (*outcome == Outcome::hidden) hide(q, c);
@@ -56,7 +62,7 @@ class Inserter {
       hide(q, c);  // without weights a point inside a cell is inside its circumscribing ball
       return Outcome::hidden;
     }
-    replace_cavity(q, c, [](const Scratch&) {});
+    if (!replace_cavity(q, c, [](const Scratch&) {})) return std::nullopt;
     return Outcome::inserted;
   }
 
@@ -95,11 +101,14 @@ class Inserter {
   }
 
   template <class Watch>
-  void replace_cavity(VertexId q, CellId start, const Watch& watch) {
+  bool replace_cavity(VertexId q, CellId start, const Watch& watch) {
     try {
-      find_cavity(complex_, kernel_, q, start, *scratch_);
+      if (!find_cavity(complex_, kernel_, q, start, *scratch_)) {
+        clean_marks();
+        return false;
+      }
       mesh_->complex.reserve_more(scratch_->boundary.size(), mesh_->sites.size());
-      scratch_->prepare_star(K, complex_.slot_count());
+      scratch_->prepare_star(K, mesh_->complex.slot_count_with(scratch_->boundary.size()));
       if (mesh_->sites.weighted()) reserve_hidden();
     } catch (...) {
       clean_marks();
@@ -117,7 +126,10 @@ class Inserter {
     if (mesh_->hidden.kept()) place_hidden();
     mesh_->statistics.cells_created += scratch_->created.size();
     const CellId outside = complex_.incident_cell(kGhost);
-    last_ = complex_.has(outside, q) ? outside : scratch_->created.front();  // the next may lie outside, too
+    last_ = outside != kNoCell && complex_.has(outside, q)
+                ? outside
+                : scratch_->created.front();  // the next may lie outside, too
+    return true;
   }
 
   void clean_marks() {

@@ -9,6 +9,7 @@
 #include "delone/base/buffer.hpp"
 #include "delone/base/ids.hpp"
 #include "delone/geometry/kernel.hpp"
+#include "delone/mesh/territory.hpp"
 
 namespace delone {
 
@@ -92,6 +93,7 @@ struct Scratch {
   // A type of its own, not a character type: a store of one may change no other number, and the compiler knows.
   enum class Mark : std::uint8_t { none, conflicting };
 
+  Territory territory;         ///< what an insertion may change
   Buffer<Mark> marks;          ///< per cell slot; all `none` between insertions
   Buffer<FacetId> cavity;      ///< of every cell in conflict a facet: the one that the search entered it by
   Buffer<Front> fronts;        ///< of a search in depth
@@ -132,12 +134,12 @@ struct Scratch {
     edges.resize(1);
     if (numbers.number.size() <= vertices) numbers.number.resize(vertices + vertices / 2 + 1);
   }
-  /// Room for a star beside the cavity just found, and for telling of both.
+  /// Room for a star beside the cavity just found, all in cells below `slots`, and for telling of both.
   void prepare_star(int dimension, std::size_t slots) {
     created.resize(boundary.size());
     removed.reserve(cavity.size());
     if (dimension > 3) ridges.reserve(boundary.size() * static_cast<std::size_t>(dimension));
-    reserve_cells(dimension, slots + boundary.size());
+    reserve_cells(dimension, slots);
   }
   std::size_t memory_bytes() const {
     return hole.memory_bytes() + marks.capacity() + numbers.number.capacity() * sizeof(Index) +

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "delone/geometry/kernel.hpp"
+#include "delone/mesh/territory.hpp"
 #include "delone/topology/complex.hpp"
 
 namespace delone {
@@ -45,7 +46,8 @@ struct Outside {
 /// From ghost cell c a few steps along the hull towards q, each across the ridge opposite the vertex farthest from q.
 /// A shortcut for points in convex position, where the way through the inside leads round long fans.
 template <int K, class C>
-Outside walk_outside(const ComplexView<K, C>& complex, Kernel<K>& kernel, const double* q, CellId c) {
+Outside walk_outside(const ComplexView<K, C>& complex, Kernel<K>& kernel, const double* q, CellId c,
+                     const Territory& territory) {
   constexpr int kSteps = K == 2 ? 256 : 8;  // in the plane they lead straight, above they may circle
   CellId last = kNoCell;
   for (int step = 0; step < kSteps; ++step) {
@@ -61,7 +63,7 @@ Outside walk_outside(const ComplexView<K, C>& complex, Kernel<K>& kernel, const 
     }
     if (kernel.orient(v, ghost, q) > 0) return {c, true};
     const CellId next = complex.cell(complex.twin(c, farthest));
-    if (next == last) break;
+    if (next == last || !territory.touches(v, farthest)) break;
     last = std::exchange(c, next);
   }
   return {c, false};
@@ -70,24 +72,32 @@ Outside walk_outside(const ComplexView<K, C>& complex, Kernel<K>& kernel, const 
 /// The closed cell that contains q: finite if q lies in the hull, else a ghost cell whose facet q lies strictly beyond.
 /// @param q      K leading coordinates, of a site or of any other point in the range that the kernel knows
 /// @param start  any live cell; a near one is fast
+/// @param territory  of which the start has a vertex; kNoCell when the walk comes to a facet that has none
 template <int K, class C>
-CellId walk(const ComplexView<K, C>& complex, Kernel<K>& kernel, const double* q, CellId start, WalkStats& stats) {
+CellId walk(const ComplexView<K, C>& complex, Kernel<K>& kernel, const double* q, CellId start, WalkStats& stats,
+            const Territory& territory = {}) {
   CellId c = start;
   if (complex.is_ghost(c)) {
-    const Outside outside = walk_outside(complex, kernel, q, c);
+    const Outside outside = walk_outside(complex, kernel, q, c, territory);
     if (outside.arrived) return outside.cell;
-    c = complex.cell(complex.twin(outside.cell, complex.ghost_slot(outside.cell)));
+    c = outside.cell;
+    const int ghost = complex.ghost_slot(c);
+    if (!territory.touches(complex.vertices(c), ghost)) return kNoCell;
+    c = complex.cell(complex.twin(c, ghost));
   }
   int entered = -1;  // the facet that the walk came through: q lies on this side of it
   for (std::uint64_t left = 16 + 4 * static_cast<std::uint64_t>(complex.slot_count()); left != 0; --left) {
-    const int leave = kernel.separating_slot(complex.vertices(c), q, entered);
+    const auto v = complex.vertices(c);
+    const int leave = kernel.separating_slot(v, q, entered);
     if (leave < 0) return c;
     ++stats.steps;
+    if (!territory.touches(v, leave)) return kNoCell;
     const FacetId across = complex.twin(c, leave);
     c = complex.cell(across);
     if (complex.is_ghost(c)) return c;
     entered = complex.slot(across);
   }
+  if (!territory.whole()) return kNoCell;
   ++stats.fallbacks;
   return exhaustive_locate(complex, kernel, q);
 }

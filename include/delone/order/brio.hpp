@@ -3,6 +3,7 @@
 // local). Departure: rounds grow eightfold, not twofold, so that seven points of eight lie in one sweep of the curve.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,6 +20,9 @@ namespace delone {
 /// Cost: O(n), a radix sort; where points crowd into one cell of the grid the crowd is sorted again, a few by their
 /// coordinates, more on a finer grid.
 std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int threads = 1);
+
+/// Where the rounds of brio_order(), called with so many axes, end in its result: ascending, the last is its size.
+std::vector<std::size_t> round_ends(std::span<const Index> order, int axes);
 
 /// The same without rounds: all rows along one curve. For queries, each of which starts where the last one ended.
 std::vector<Index> curve_order(PointsView points, std::span<const int> axes, int threads = 1);

@@ -12,7 +12,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
+#include <span>
 #include <type_traits>
+#include <utility>
 
 #include "delone/base/assert.hpp"
 #include "delone/base/buffer.hpp"
@@ -30,6 +32,10 @@ class Complex {
 
   /// Slots of cells, dead ones included: every CellId lies below.
   std::size_t slot_count() const { return dimension_ < 0 ? 0 : ids_.size() / stride(); }
+  /// The same when `cells` more have been created.
+  std::size_t slot_count_with(std::size_t cells) const { return slot_count() + (supply_.step == 0 ? cells : 0); }
+  /// Slots for which there is memory.
+  std::size_t slot_room() const { return dimension_ < 0 ? 0 : ids_.capacity() / stride(); }
   /// Every FacetId lies below.
   std::size_t facet_slots() const { return slot_count() << slot_bits(corners()); }
   /// How many slots the ids can name.
@@ -66,9 +72,12 @@ class Complex {
   void reserve_more(std::size_t cells, std::size_t vertex_slots);
   /// Vertices below `count` may be used; new ones are in no cell. Requires reserved room.
   void grow_vertices(std::size_t count) { incident_.resize(count, kNone); }
-  /// The cells of another complex of this dimension beside one's own: its cell c becomes c + slot_count(), its vertex v
-  /// becomes v + vertex_slots(). The two are not linked, and the ghost's incident cell stays.
-  void append(const Complex& other, int threads);
+  /// One of `count` parts: a complex over the same cells, to be changed by a thread of its own. What it creates comes
+  /// from the room that this one has now, rows of slots in turn; where that ends reserve_more() throws std::bad_alloc.
+  /// Its counts are of its own changes, and its ghost has no cell before it creates one. Good until this one changes.
+  Complex part(std::size_t which, std::size_t count);
+  /// Ends the parts: what they did counts here, and the slots that they left over are those of dead cells.
+  void end_parts(std::span<Complex* const> parts);
   /// Gives back what growth left over.
   void shrink();
   /// Refills the incident cell of every vertex from the cells.
@@ -84,15 +93,26 @@ class Complex {
   static constexpr int slot_bits(int corners) {
     return corners > 0 ? static_cast<int>(std::bit_width(static_cast<unsigned>(corners - 1))) : 0;
   }
+  static constexpr std::size_t kRow = 1024;  // slots that a part draws at a time
+
+  /// Of a part: the fresh slots that it may still draw, a row at `next`, and at every `step` slots from there.
+  struct Supply {
+    std::size_t next = 0, step = 0, end = 0;
+    std::size_t drawn = 0;  ///< slots so far
+  };
+
+  /// A row of dead cells, the first of which is taken first.
+  void add_dead_row(std::size_t first);
   std::size_t stride() const { return 2 * static_cast<std::size_t>(corners()); }
 
   int dimension_;
   Buffer<Index> ids_;
   Buffer<Index> incident_;
   CellId ghost_cell_ = kNoCell;
-  Index free_ = kNone;  // first dead cell; the next one stands in its second id
-  std::size_t live_ = 0;
+  Index free_ = kNone;    // first dead cell; the next one stands in its second id
+  std::size_t live_ = 0;  // of a part: created less destroyed, which may be below 0 and wrap around; so ghosts_
   std::size_t ghosts_ = 0;
+  Supply supply_;
 };
 
 /// The complex with its dimension known to the compiler; cheap to copy, valid as long as the complex.

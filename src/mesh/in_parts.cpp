@@ -1,0 +1,300 @@
+// Each site belongs to a box, each box to a thread. A thread inserts the sites of its box as ever, but changes no cell
+// that has a vertex in another box, and puts off a site for which it would have to (Territory says why nobody is in
+// anybody's way then: no locks, no marks that others see). What is put off lies along the sides of boxes; it is shared
+// out again in other boxes, and when little is left one thread inserts it. As a triangulation does not depend on the
+// order of insertion, nothing has to be mended.
+//
+// Source: [MPR19], where threads own pieces of a curve, notice what others touch by the owner of each vertex, put it
+// off and move the pieces. Departures: cells of several boxes stay, so a vertex has one owner through a pass, no search
+// is repeated, and nothing depends on who was first; boxes through medians, since what their sides cut is less than
+// what the ends of a curve's pieces do.
+//
+// Cost: a share of the insertions, and for a round of m sites in K dimensions O(m^(1 - 1/K)) that are put off.
+#include "mesh/in_parts.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <new>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "base/chunks.hpp"
+#include "base/part_of.hpp"
+#include "base/tell_every.hpp"
+#include "delone/base/dispatch.hpp"
+#include "delone/mesh/inserter.hpp"
+#include "mesh/incremental.hpp"
+
+namespace delone {
+namespace {
+
+constexpr std::size_t kMostBoxes = 255;
+
+/// Boxes for about as many of some sites each, by cuts through medians, each across the axis on which the middle half
+/// of the sites reaches farthest: sites that lie along a cut are next cut across it.
+template <int K>
+class Boxes {
+ public:
+  Boxes(const Sites& sites, const std::vector<Index>& some, std::size_t count) : x_(sites.leading()) {
+    constexpr std::size_t kSample = 1 << 11;  // of the sites of a box, to find where to cut
+    std::vector<Index> sample;
+    for (std::size_t i = 0; i < some.size(); i += some.size() / (kSample * count) + 1) sample.push_back(some[i]);
+    cut(sample, count);
+  }
+
+  std::uint8_t box_of(Index site) const {
+    std::size_t node = 0;
+    while (nodes_[node].upper != 0)
+      node = at(site, nodes_[node].axis) < nodes_[node].bound ? node + 1 : nodes_[node].upper;
+    return nodes_[node].box;
+  }
+
+ private:
+  struct Node {
+    std::size_t axis = 0;
+    double bound = 0.0;     ///< what lies below is in the next node,
+    std::size_t upper = 0;  ///< the rest in this one; none: a box
+    std::uint8_t box = 0;
+  };
+
+  double at(Index site, std::size_t axis) const { return x_[site * std::size_t{K} + axis]; }
+
+  void cut(std::span<Index> sites, std::size_t boxes) {
+    const std::size_t node = nodes_.size();
+    nodes_.push_back({.box = boxes_});
+    if (boxes == 1) {
+      ++boxes_;
+      return;
+    }
+    const auto nth = [&](std::size_t rank, std::size_t axis) {
+      const auto place = [&](Index site) { return at(site, axis); };
+      std::ranges::nth_element(sites, sites.begin() + static_cast<std::ptrdiff_t>(rank), {}, place);
+      return place(sites[rank]);
+    };
+    const std::size_t lower = sites.size() * (boxes / 2) / boxes;
+    if (!sites.empty()) {
+      double widest = -1.0;
+      for (std::size_t axis = 0; axis < K; ++axis) {
+        const double width = nth(sites.size() * 3 / 4, axis) * 0.5 - nth(sites.size() / 4, axis) * 0.5;
+        if (width > widest) nodes_[node].axis = axis;
+        widest = std::max(width, widest);
+      }
+      nodes_[node].bound = nth(lower, nodes_[node].axis);
+    }
+    cut(sites.first(lower), boxes / 2);
+    nodes_[node].upper = nodes_.size();
+    cut(sites.subspan(lower), boxes - boxes / 2);
+  }
+
+  const double* x_;
+  std::vector<Node> nodes_;
+  std::uint8_t boxes_ = 0;
+};
+
+/// A round: sites to insert, along a curve, into a mesh whose sites before them are vertices, or are none.
+struct Round {
+  Mesh* mesh;
+  std::size_t first, last;
+  std::vector<Index> waiting = {};        ///< of the sites from first to last - 1, ascending
+  std::vector<std::uint8_t> box_of = {};  ///< per site of the mesh
+
+  Round(Mesh& sites_of, std::size_t from, std::size_t to) : mesh(&sites_of), first(from), last(to), waiting(to - from) {
+    std::iota(waiting.begin(), waiting.end(), static_cast<Index>(from));
+  }
+};
+
+/// What one thread works on: a mesh of the same sites and cells, with lists and counts of its own.
+class Part {
+ public:
+  void begin(const Round& round, std::uint8_t box, std::size_t boxes) {
+    Mesh& whole = *round.mesh;
+    put_off_.clear();
+    mesh_.sites = whole.sites.lent();
+    mesh_.complex = whole.complex.part(box, boxes);
+    mesh_.duplicates = {};
+    mesh_.vertex_count = 0;
+    mesh_.statistics = {};
+    mesh_.scratch.marks = whole.scratch.marks.lent();
+    mesh_.scratch.planes = whole.scratch.planes.lent();
+    mesh_.scratch.territory = {round.box_of.data(), box};
+  }
+
+  /// Inserts the sites of the box. Those that are put off are listed; so are all when no more cells are to be had.
+  /// @param tell  is told before each how many came before
+  template <int K, class Tell>
+  void insert(const Round& round, const Tell& tell) {
+    Inserter<K> inserter(mesh_);
+    CellId home = cell_of_box(round.first);  // where a vertex was made
+    CellId near = home;                      // where the last walk ended
+    bool room = home != kNoCell;
+    std::size_t turn = 0;
+    for (const Index site : round.waiting) {
+      if (!mesh_.scratch.territory.holds(VertexId{site})) continue;
+      tell(turn++);
+      std::optional<Outcome> outcome;
+      try {
+        if (room) outcome = inserter.try_insert(VertexId{site}, near);
+        if (room && inserter.last_cell() == kNoCell && near != home)
+          outcome = inserter.try_insert(VertexId{site}, home);
+      } catch (const std::bad_alloc&) {
+        room = false;
+      }
+      near = inserter.last_cell() != kNoCell ? inserter.last_cell() : home;
+      if (outcome) {
+        home = near;
+      } else {
+        put_off_.push_back(site);
+      }
+    }
+    mesh_.statistics.put_off = put_off_.size();
+    mesh_.statistics.in_turn = turn;
+  }
+
+  Mesh& mesh() { return mesh_; }
+  const std::vector<Index>& put_off() const { return put_off_; }
+
+ private:
+  /// At the last vertex among the sites below `end` that is in the box.
+  CellId cell_of_box(std::size_t end) const {
+    for (VertexId v{static_cast<Index>(end)}; raw(v) > 0;) {
+      v = VertexId{raw(v) - 1};
+      if (mesh_.scratch.territory.holds(v) && mesh_.complex.incident_cell(v) != kNoCell)
+        return mesh_.complex.incident_cell(v);
+    }
+    return kNoCell;
+  }
+
+  Mesh mesh_{Sites(1)};
+  std::vector<Index> put_off_;
+};
+
+template <int K>
+class PartwiseInserter {
+ public:
+  PartwiseInserter(Mesh& mesh, int threads, std::size_t few, const Progress& progress)
+      : mesh_(&mesh), threads_(threads), few_(few), progress_(&progress) {}
+
+  void insert(std::size_t first, std::size_t last) {
+    Round round(*mesh_, first, last);
+    const std::size_t most = std::min({static_cast<std::size_t>(threads_), kMostBoxes, first / few_});
+    for (std::size_t before = 2 * (last - first); round.waiting.size() <= before / 2;) {
+      before = round.waiting.size();
+      const std::size_t boxes = std::min(most, before / few_);
+      if (boxes < 2) break;
+      insert_in_boxes(round, boxes);
+    }
+    insert_rest(round);
+  }
+
+ private:
+  void insert_in_boxes(Round& round, std::size_t boxes) {
+    const Boxes<K> cut(mesh_->sites, round.waiting, boxes);
+    round.box_of.resize(mesh_->sites.size());
+    for_chunks(round.last, threads_, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t site = begin; site < end; ++site) round.box_of[site] = cut.box_of(static_cast<Index>(site));
+    });
+    make_room(round.waiting.size(), boxes);
+    if (parts_.size() < boxes) parts_.resize(boxes);
+    std::atomic<bool> stopped = false;
+    const auto caller = std::this_thread::get_id();
+    const auto insert_box = [&](std::size_t box) {
+      const bool telling = std::this_thread::get_id() == caller;
+      parts_[box].begin(round, static_cast<std::uint8_t>(box), boxes);
+      parts_[box].template insert<K>(round, [&](std::size_t turn) {
+        if (stopped) throw Cancelled();
+        if (telling) tell_done(turn, round.last - round.waiting.size() + turn * boxes);
+      });
+    };
+    const auto guarded = [&](std::size_t box, std::size_t /*end*/, std::size_t /*chunk*/) {
+      try {
+        insert_box(box);
+      } catch (...) {  // ends the others
+        stopped = true;
+        throw;
+      }
+    };
+    for_chunks(boxes, threads_, guarded, {}, 1);
+    end_parts(round, std::span(parts_).first(boxes));
+  }
+
+  /// Cells and marks for so many sites more, each of which needs as many as those before, or a few more.
+  void make_room(std::size_t sites, std::size_t boxes) {
+    const double each = static_cast<double>(mesh_->complex.live_count()) / static_cast<double>(mesh_->vertex_count);
+    const auto expected = static_cast<std::size_t>(1.05 * each * static_cast<double>(sites));
+    mesh_->complex.reserve_more(expected + boxes * 1024, mesh_->sites.size());
+    mesh_->scratch.reserve_cells(K, mesh_->complex.slot_room());
+  }
+
+  /// Makes one of mesh and parts again.
+  void end_parts(Round& round, std::span<Part> parts) {
+    round.waiting.clear();
+    std::vector<Complex*> complexes;
+    std::uint64_t in_turn = 0;
+    for (Part& part : parts) {
+      Mesh& mesh = part.mesh();
+      complexes.push_back(&mesh.complex);
+      round.waiting.insert(round.waiting.end(), part.put_off().begin(), part.put_off().end());
+      for (const auto& [vertex, row] : mesh.duplicates) mesh_->duplicates.add(mesh_->sites.vertex(row), vertex, row);
+      mesh_->vertex_count += mesh.vertex_count;
+      in_turn = std::max(in_turn, mesh.statistics.in_turn);
+      mesh.statistics.in_turn = 0;
+      mesh_->statistics += mesh.statistics;
+    }
+    mesh_->statistics.in_turn += in_turn;
+    mesh_->complex.end_parts(complexes);
+    std::ranges::sort(round.waiting);
+  }
+
+  void insert_rest(const Round& round) {
+    Inserter<K> inserter(*mesh_);
+    CellId near = mesh_->complex.incident_cell(kGhost);
+    std::size_t done = round.last - round.waiting.size();
+    for (const Index site : round.waiting) {
+      tell_done(done, done);
+      ++done;
+      inserter.insert(VertexId{site}, near);
+      near = inserter.last_cell();
+    }
+    mesh_->statistics.in_turn += round.waiting.size();
+  }
+
+  /// Now and then tells that about so many sites are done; never fewer than before.
+  void tell_done(std::size_t turn, std::size_t done) {
+    if (turn % 1024 != 0 || !*progress_) return;
+    told_ = std::max(told_, done);
+    tell_every(1, *progress_, told_, mesh_->sites.size());
+  }
+
+  Mesh* mesh_;
+  int threads_;
+  std::size_t few_;
+  const Progress* progress_;
+  std::size_t told_ = 0;
+  std::vector<Part> parts_;
+};
+
+}  // namespace
+
+void insert_all_in_parts(Mesh& mesh, std::span<const std::size_t> round_ends, int threads, const Progress& progress,
+                         std::size_t room, std::size_t few) {
+  const int k = mesh.complex.dimension();
+  if (threads < 2 || k < 2 || round_ends.size() < 2) return insert_all(mesh, progress, room);
+  std::size_t first = std::max(round_ends.front(), static_cast<std::size_t>(k) + 1);
+  const double share = static_cast<double>(first) / static_cast<double>(mesh.sites.size());
+  insert_first(mesh, first, part_of(progress, 0.0, share), std::max(room, mesh.sites.size()));
+  mesh.statistics.in_turn += first;
+  with_dimension<2>(k, [&](auto dimension) {
+    PartwiseInserter<dimension> inserter(mesh, threads, few, progress);
+    for (const std::size_t end : round_ends.subspan(1)) {
+      if (first < end) inserter.insert(first, end);
+      first = std::max(first, end);
+    }
+  });
+}
+
+}  // namespace delone

@@ -1,0 +1,158 @@
+#include "mesh/in_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "delone/base/errors.hpp"
+#include "delone/build/build.hpp"
+#include "delone/geometry/affine.hpp"
+#include "delone/mesh/export.hpp"
+#include "support/expectations.hpp"
+#include "support/families.hpp"
+
+namespace delone {
+namespace {
+
+using namespace test;
+
+/// Inserts rows in their order, those that span all first, and from site `first` on by several threads in one round.
+AnyTriangulation built_in_parts(const PointSet& points, std::size_t first, int threads, std::size_t few) {
+  const AffineHull hull = affine_hull(points.view());
+  const auto basis = std::span(hull.basis).first(static_cast<std::size_t>(hull.flat.dimension) + 1);
+  std::vector<Index> order(basis.begin(), basis.end());
+  for (Index row = 0; row < points.size(); ++row) {
+    if (std::ranges::find(basis, row) == basis.end()) order.push_back(row);
+  }
+  Mesh mesh(Sites(points.dimension, !points.weights.empty(), hull.flat));
+  mesh.sites.append(points.view(), order, 0);
+  insert_all_in_parts(mesh, std::array{first, points.size()}, threads, {}, 0, few);
+  return AnyTriangulation(std::move(mesh));
+}
+
+TEST(InParts, every_family_is_as_by_one_thread) {
+  std::uint64_t put_off = 0;
+  std::uint64_t in_turn = 0;
+  std::uint64_t all = 0;
+  for (const int dimension : {2, 3, 4}) {
+    for (const PointSet& points : families(dimension, dimension < 4 ? 120 : 40, 1)) {
+      for (const int threads : {2, 5}) {
+        const AnyTriangulation t = built_in_parts(points, points.size() / 4, threads, 3);
+        EXPECT_EQ(broken_invariant(t), "") << points.name;
+        EXPECT_EQ(canonical_hash(t), canonical_hash(build(points.view()))) << points.name;
+        put_off += t.statistics().put_off;
+        in_turn += t.statistics().in_turn;
+        all += points.size();
+      }
+    }
+  }
+  EXPECT_GT(put_off, all / 10);
+  EXPECT_LT(in_turn, all + put_off);  // as many were tried
+}
+
+TEST(InParts, any_number_of_threads_makes_the_same) {
+  for (const PointSet& points : {uniform(3, 30000, 1), with_random_weights(uniform(3, 30000, 2), 3),
+                                 lattice(3, 30000, 40, 4), with_random_weights(uniform(2, 30000, 5), 6)}) {
+    const std::uint64_t hash = canonical_hash(build(points.view()));
+    for (const int threads : {2, 3, 64}) {
+      const AnyTriangulation t = build(points.view(), {.threads = threads});
+      EXPECT_EQ(broken_invariant(t), "") << points.name;
+      EXPECT_EQ(canonical_hash(t), hash) << points.name << ", " << threads << " threads";
+      EXPECT_GT(t.statistics().put_off, 0U) << points.name;
+      EXPECT_LT(t.statistics().in_turn, points.size() * 9 / 10) << points.name;
+    }
+  }
+}
+
+TEST(InParts, the_numbers_of_cells_depend_on_the_number_of_threads_only) {
+  const PointSet points = uniform(3, 20000, 1);
+  const AnyTriangulation once = build(points.view(), {.threads = 3});
+  const AnyTriangulation again = build(points.view(), {.threads = 3});
+  ASSERT_EQ(once.complex().slot_count(), again.complex().slot_count());
+  for (std::size_t slot = 0; slot < once.complex().slot_count(); ++slot) {
+    const CellId c{static_cast<Index>(slot)};
+    ASSERT_EQ(once.complex().is_live(c), again.complex().is_live(c));
+    for (int i = 0; i < 4 && once.complex().is_live(c); ++i)
+      ASSERT_EQ(once.complex().twin(c, i), again.complex().twin(c, i));
+  }
+}
+
+TEST(InParts, points_on_a_sphere_are_shared_too) {
+  PointSet points = uniform(3, 20000, 1);
+  for (double& x : points.coordinates) x -= 0.5;
+  for (std::size_t i = 0; i < points.coordinates.size(); i += 3) {
+    const auto x = std::span(points.coordinates).subspan(i, 3);
+    const double length = std::hypot(x[0], x[1], x[2]);
+    for (double& c : x) c /= length;
+  }
+  const AnyTriangulation t = build(points.view(), {.threads = 2});
+  EXPECT_EQ(canonical_hash(t), canonical_hash(build(points.view())));
+  EXPECT_LT(t.statistics().in_turn, points.size() * 3 / 4);
+}
+
+TEST(InParts, what_finds_no_cell_in_its_part_is_inserted_all_the_same) {
+  // Few cells are there before, and each site needs many more than these had.
+  PointSet points = uniform(3, 1100, 1);
+  for (int i = 0; i < 1500; ++i) {
+    const double t = 2.0 + i / 1500.0;
+    for (const double x : {t, t * t, t * t * t}) points.coordinates.push_back(x);
+  }
+  const AnyTriangulation t = built_in_parts(points, 1100, 2, 500);
+  EXPECT_EQ(broken_invariant(t), "");
+  EXPECT_EQ(canonical_hash(t), canonical_hash(build(points.view())));
+}
+
+TEST(InParts, repeated_rows_are_named_as_ever) {
+  PointSet points = uniform(3, 40000, 1);
+  points.coordinates.insert(points.coordinates.end(), points.coordinates.begin(), points.coordinates.end());
+  const AnyTriangulation t = build(points.view(), {.threads = 2});
+  EXPECT_EQ(t.duplicate_count(), 40000U);
+  EXPECT_EQ(t.status(40007), (RowStatus{Status::duplicate, 7}));
+  EXPECT_EQ(description(t), description(build(points.view())));
+}
+
+TEST(InParts, heavy_sites_hide_others_across_sides_of_boxes) {
+  PointSet points = uniform(3, 12000, 1);
+  points.weights.assign(points.size(), 0.0);
+  for (std::size_t row = 0; row < points.size(); row += 50) points.weights[row] = 0.01;
+  const AnyTriangulation t = build(points.view(), {.threads = 4});
+  EXPECT_GT(t.hidden_count(), 1000U);
+  EXPECT_EQ(broken_invariant(t), "");
+  EXPECT_EQ(description(t), description(build(points.view())));
+}
+
+TEST(InParts, all_points_in_one_place_but_a_few) {
+  PointSet points = uniform(3, 100, 1);
+  for (int i = 0; i < 20000; ++i) points.coordinates.insert(points.coordinates.end(), {0.5, 0.25, 0.125});
+  EXPECT_EQ(description(build(points.view(), {.threads = 3})), description(build(points.view())));
+}
+
+TEST(InParts, a_caller_may_cancel_all_threads) {
+  const PointSet points = uniform(3, 70000, 1);
+  EXPECT_THROW(build(points.view(), {.threads = 2, .progress = [](double done) { return done < 0.3; }}), Cancelled);
+}
+
+TEST(InParts, progress_rises) {
+  const PointSet points = uniform(3, 70000, 1);
+  double last = 0.0;
+  int calls = 0;
+  build(points.view(), {.threads = 2, .progress = [&](double done) {
+                          EXPECT_GE(done, last);
+                          EXPECT_LE(done, 1.0);
+                          last = done;
+                          ++calls;
+                          return true;
+                        }});
+  EXPECT_GT(calls, 20);
+  EXPECT_GT(last, 0.8);
+}
+
+}  // namespace
+}  // namespace delone
