@@ -33,6 +33,8 @@ Run stopped(const Clock& clock, const AnyTriangulation& t) {
   count("conflict_symbolic", tests.conflict_symbolic);
   count("walk_steps", statistics.walk_steps);
   count("cells_created", statistics.cells_created);
+  count("put_off", statistics.put_off);
+  count("in_turn", statistics.in_turn);
   return run;
 }
 
@@ -68,6 +70,8 @@ Run remove_rows(PointsView points) {
 std::vector<Peer> delone_peers() {
   return {{"Delone", DELONE_VERSION, fits, run<1>},
           {"Delone-threads-2", DELONE_VERSION, fits, run<2>},
+          {"Delone-threads-8", DELONE_VERSION, fits, run<8>},
+          {"Delone-threads-64", DELONE_VERSION, fits, run<64>},
           {"Delone-hierarchy", DELONE_VERSION, fits, run_one_by_one},
           {"Delone-remove-10", DELONE_VERSION, fits, remove_rows<10>},
           {"Delone-remove-20", DELONE_VERSION, fits, remove_rows<20>}};

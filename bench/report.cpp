@@ -314,6 +314,28 @@ class Report {
         at_least(w.title + ", two threads, times as fast as one", 1.8, ratio);
       }
     }
+    return text + threads_on_paper();
+  }
+
+  /// What bounds more threads than this machine has processors: counts, which do not depend on it.
+  std::string threads_on_paper() {
+    std::string text =
+        "\n### More threads, on paper\n\n3D, one run each. Put off: how often a thread left a site to others, a site. "
+        "In turn: the share of the sites\nthat were tried one after the other, each time by the busiest thread; times "
+        "as fast: its inverse, were all sites\nas much work and memory as fast for many. Written: bytes of cells a "
+        "site.\n\n" +
+        heading({"points", "threads", "put off", "in turn", "times as fast", "written"});
+    for (const char* kind : {"uniform", "clusters", "sphere"}) {
+      const Workload w = o_.workload(std::string("3D ") + kind + " 1e6", kind, 1000000, 3);
+      for (const char* threads : {"2", "8", "64"}) {
+        std::vector<Contestant> one{native(std::string("Delone-threads-") + threads, w)};
+        alternate(one, 1);
+        const auto& counts = one[0].samples.front().counts;
+        const double in_turn = counts.at("in_turn") / points_of(w);
+        text += row({w.title, threads, number(counts.at("put_off") / points_of(w), 3), number(in_turn, 3),
+                     number(1 / in_turn, 1), number(32 * counts.at("cells_created") / points_of(w), 0)});
+      }
+    }
     return text;
   }
 

@@ -7,7 +7,7 @@
 #include "delone/base/arithmetic.hpp"
 #include "delone/order/brio.hpp"
 #include "mesh/anew.hpp"
-#include "mesh/incremental.hpp"
+#include "mesh/in_parts.hpp"
 #include "mesh/insert_one.hpp"
 
 namespace delone {
@@ -67,8 +67,11 @@ void insert(AnyTriangulation& t, PointsView batch, const BuildOptions& options) 
   const std::size_t first = mesh.sites.size();
   const auto axes =
       std::span(mesh.sites.flat().axes).first(static_cast<std::size_t>(std::max(t.affine_dimension(), 0)));
-  mesh.sites.append(batch, brio_order(batch, axes, options.threads), static_cast<Index>(t.row_count()));
-  insert_range(mesh, first, mesh.sites.size(), options.progress);
+  const std::vector<Index> order = brio_order(batch, axes, options.threads);
+  mesh.sites.append(batch, order, static_cast<Index>(t.row_count()));
+  std::vector<std::size_t> rounds = round_ends(order, t.affine_dimension());
+  for (std::size_t& end : rounds) end += first;
+  insert_rounds(mesh, first, rounds, options.threads, options.progress);
   AnyTriangulation grown(std::move(mesh));
   std::swap(t, grown);
 }

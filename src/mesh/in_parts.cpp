@@ -176,17 +176,18 @@ class Part {
 template <int K>
 class PartwiseInserter {
  public:
-  PartwiseInserter(Mesh& mesh, int threads, std::size_t few, const Progress& progress)
-      : mesh_(&mesh), threads_(threads), few_(few), progress_(&progress) {}
+  /// @param start  sites below it do not count for progress
+  PartwiseInserter(Mesh& mesh, std::size_t start, int threads, std::size_t few, const Progress& progress)
+      : mesh_(&mesh), start_(start), threads_(threads), few_(few), progress_(&progress) {}
 
   void insert(std::size_t first, std::size_t last) {
     Round round(*mesh_, first, last);
-    const std::size_t most = std::min({static_cast<std::size_t>(threads_), kMostBoxes, first / few_});
-    for (std::size_t before = 2 * (last - first); round.waiting.size() <= before / 2;) {
-      before = round.waiting.size();
+    for (std::size_t most = std::min({static_cast<std::size_t>(threads_), kMostBoxes, first / few_});;) {
+      const std::size_t before = round.waiting.size();
       const std::size_t boxes = std::min(most, before / few_);
       if (boxes < 2) break;
       insert_in_boxes(round, boxes);
+      if (round.waiting.size() > before / 2) most = boxes / 2;  // too small for so coarse a mesh
     }
     insert_rest(round);
   }
@@ -266,11 +267,12 @@ class PartwiseInserter {
   /// Now and then tells that about so many sites are done; never fewer than before.
   void tell_done(std::size_t turn, std::size_t done) {
     if (turn % 1024 != 0 || !*progress_) return;
-    told_ = std::max(told_, done);
-    tell_every(1, *progress_, told_, mesh_->sites.size());
+    told_ = std::max(told_, done - start_);
+    tell_every(1, *progress_, told_, mesh_->sites.size() - start_);
   }
 
   Mesh* mesh_;
+  std::size_t start_;
   int threads_;
   std::size_t few_;
   const Progress* progress_;
@@ -280,21 +282,31 @@ class PartwiseInserter {
 
 }  // namespace
 
-void insert_all_in_parts(Mesh& mesh, std::span<const std::size_t> round_ends, int threads, const Progress& progress,
-                         std::size_t room, std::size_t few) {
+void insert_rounds(Mesh& mesh, std::size_t first, std::span<const std::size_t> round_ends, int threads,
+                   const Progress& progress, std::size_t few) {
   const int k = mesh.complex.dimension();
-  if (threads < 2 || k < 2 || round_ends.size() < 2) return insert_all(mesh, progress, room);
-  std::size_t first = std::max(round_ends.front(), static_cast<std::size_t>(k) + 1);
-  const double share = static_cast<double>(first) / static_cast<double>(mesh.sites.size());
-  insert_first(mesh, first, part_of(progress, 0.0, share), std::max(room, mesh.sites.size()));
-  mesh.statistics.in_turn += first;
+  if (threads < 2 || k < 2 || mesh.hidden.kept()) return insert_range(mesh, first, mesh.sites.size(), progress);
+  mesh.complex.reserve_more(0, mesh.sites.size());
+  mesh.complex.grow_vertices(mesh.sites.size());
   with_dimension<2>(k, [&](auto dimension) {
-    PartwiseInserter<dimension> inserter(mesh, threads, few, progress);
-    for (const std::size_t end : round_ends.subspan(1)) {
-      if (first < end) inserter.insert(first, end);
-      first = std::max(first, end);
+    PartwiseInserter<dimension> inserter(mesh, first, threads, few, progress);
+    for (std::size_t begin = first; const std::size_t end : round_ends) {
+      inserter.insert(begin, std::max(begin, end));
+      begin = std::max(begin, end);
     }
   });
+}
+
+void insert_all_in_rounds(Mesh& mesh, std::span<const std::size_t> round_ends, int threads, const Progress& progress,
+                          std::size_t room) {
+  const int k = mesh.complex.dimension();
+  if (threads < 2 || k < 2) return insert_all(mesh, progress, room);
+  const std::size_t count = mesh.sites.size();
+  const std::size_t first = std::max(round_ends.front(), static_cast<std::size_t>(k) + 1);
+  const double share = static_cast<double>(first) / static_cast<double>(count);
+  insert_first(mesh, first, part_of(progress, 0.0, share), std::max(room, count));
+  mesh.statistics.in_turn += first;
+  insert_rounds(mesh, first, round_ends.subspan(1), threads, part_of(progress, share, 1.0));
 }
 
 }  // namespace delone

@@ -9,11 +9,15 @@
 
 namespace delone {
 
-/// As insert_all() in incremental.hpp. The triangulation and the numbers of its vertices do not depend on `threads`,
-/// those of its cells do.
+/// As insert_range() in incremental.hpp, from site `first` to the last one. The triangulation and the numbers of its
+/// vertices do not depend on `threads`, those of its cells do.
 /// @param round_ends  see brio.hpp: sites of one round are shared out, one round comes after the other
 /// @param few  without as many sites in it, and as many there before it, a box is not worth a thread
-void insert_all_in_parts(Mesh& mesh, std::span<const std::size_t> round_ends, int threads, const Progress& progress,
-                         std::size_t room = 0, std::size_t few = 512);
+void insert_rounds(Mesh& mesh, std::size_t first, std::span<const std::size_t> round_ends, int threads,
+                   const Progress& progress, std::size_t few = 512);
+
+/// As insert_all().
+void insert_all_in_rounds(Mesh& mesh, std::span<const std::size_t> round_ends, int threads, const Progress& progress,
+                          std::size_t room = 0);
 
 }  // namespace delone

@@ -43,7 +43,7 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
   bring_to_front(order, std::span(hull.basis).first(points.empty() ? 0 : axes.size() + 1));
   mesh.sites.append(points, order, 0, threads);
   mesh.statistics.order_seconds = watch.lap();
-  insert_all_in_parts(mesh, rounds, threads, progress, room);
+  insert_all_in_rounds(mesh, rounds, threads, progress, room);
   mesh.statistics.insert_seconds = watch.lap();
   return mesh;
 }

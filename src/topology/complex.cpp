@@ -48,16 +48,37 @@ void Complex::end_parts(std::span<Complex* const> parts) {
     if (part->supply_.drawn != 0) used = std::max(used, part->supply_.next - part->supply_.step + kRow);
   }
   ids_.resize(used * stride());
-  for (Complex* one : parts) {
-    Complex& part = *one;
-    for (; part.supply_.next < used; part.supply_.next += part.supply_.step) part.add_dead_row(part.supply_.next);
-    while (part.free_ != kNone) {
-      Index& next = ids_[part.free_ * stride() + 1];
-      free_ = std::exchange(part.free_, std::exchange(next, free_));
+  for (Complex* part : parts) {
+    for (; part->supply_.next < used; part->supply_.next += part->supply_.step) part->add_dead_row(part->supply_.next);
+    live_ += part->live_;
+    ghosts_ += part->ghosts_;
+    if (part->ghost_cell_ != kNoCell) ghost_cell_ = part->ghost_cell_;
+  }
+  fill_gaps(free_);
+  for (const Complex* part : parts) fill_gaps(part->free_);
+  ids_.resize(live_ * stride());
+  free_ = kNone;
+}
+
+void Complex::fill_gaps(Index gap) {
+  for (Index next; gap != kNone; gap = next) {
+    next = ids_[gap * stride() + 1];
+    if (gap >= live_) continue;
+    std::size_t last = slot_count() - 1;
+    while (ids_[last * stride()] == kDead) --last;
+    std::copy_n(ids_.data() + last * stride(), stride(), ids_.data() + gap * stride());
+    ids_.resize(last * stride());
+    const CellId c{gap};
+    for (int i = 0; i < corners(); ++i) {
+      const FacetId f = twin(c, i);
+      ids_[raw(cell(f)) * stride() + static_cast<std::size_t>(corners() + slot(f))] =
+          gap << slot_bits(corners()) | static_cast<Index>(i);
+      if (vertex(c, i) == kGhost) {
+        if (raw(ghost_cell_) == last) ghost_cell_ = c;
+      } else if (Index& incident = incident_[raw(vertex(c, i))]; incident == last) {
+        incident = gap;
+      }
     }
-    live_ += part.live_;
-    ghosts_ += part.ghosts_;
-    if (part.ghost_cell_ != kNoCell) ghost_cell_ = part.ghost_cell_;
   }
 }
 

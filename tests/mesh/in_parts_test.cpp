@@ -13,8 +13,10 @@
 
 #include "delone/base/errors.hpp"
 #include "delone/build/build.hpp"
+#include "delone/build/insert.hpp"
 #include "delone/geometry/affine.hpp"
 #include "delone/mesh/export.hpp"
+#include "mesh/incremental.hpp"
 #include "support/expectations.hpp"
 #include "support/families.hpp"
 
@@ -33,7 +35,8 @@ AnyTriangulation built_in_parts(const PointSet& points, std::size_t first, int t
   }
   Mesh mesh(Sites(points.dimension, !points.weights.empty(), hull.flat));
   mesh.sites.append(points.view(), order, 0);
-  insert_all_in_parts(mesh, std::array{first, points.size()}, threads, {}, 0, few);
+  insert_first(mesh, first, {});
+  insert_rounds(mesh, first, std::array{points.size()}, threads, {}, few);
   return AnyTriangulation(std::move(mesh));
 }
 
@@ -55,6 +58,14 @@ TEST(InParts, every_family_is_as_by_one_thread) {
   }
   EXPECT_GT(put_off, all / 10);
   EXPECT_LT(in_turn, all + put_off);  // as many were tried
+}
+
+TEST(InParts, no_slot_is_left_over) {
+  for (const int threads : {2, 64}) {
+    const AnyTriangulation t = build(with_random_weights(uniform(3, 30000, 1), 2).view(), {.threads = threads});
+    const std::size_t dead = t.complex().slot_count() - t.complex().live_count();
+    EXPECT_LT(dead, 500U) << threads;  // of what one thread inserted at the end
+  }
 }
 
 TEST(InParts, any_number_of_threads_makes_the_same) {
@@ -107,6 +118,16 @@ TEST(InParts, what_finds_no_cell_in_its_part_is_inserted_all_the_same) {
   const AnyTriangulation t = built_in_parts(points, 1100, 2, 500);
   EXPECT_EQ(broken_invariant(t), "");
   EXPECT_EQ(canonical_hash(t), canonical_hash(build(points.view())));
+}
+
+TEST(InParts, batches_are_shared_too) {
+  for (const PointSet& points : {uniform(3, 30000, 1), with_random_weights(uniform(3, 30000, 2), 3)}) {
+    AnyTriangulation t = build(rows(points, 0, 20000).view());
+    insert(t, rows(points, 20000, 30000).view(), {.threads = 3});
+    EXPECT_GT(t.statistics().put_off, 0U);
+    EXPECT_EQ(broken_invariant(t), "") << points.name;
+    EXPECT_EQ(canonical_hash(t), canonical_hash(build(points.view())));
+  }
 }
 
 TEST(InParts, repeated_rows_are_named_as_ever) {

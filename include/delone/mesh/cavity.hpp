@@ -40,13 +40,14 @@ template <int K>
 bool in_conflict(const ComplexView<K>& complex, Kernel<K>& kernel, Scratch& scratch, CellId c, VertexId q);
 
 /// How the hyperplane of c sees q, computed from coordinates, and then kept for the next test; as it was `seen` where
-/// coordinates do not tell it. So what was seen belongs to the hyperplane that is kept.
+/// coordinates do not tell it, or the cell must stay as it is. So what was seen belongs to the hyperplane that is kept.
 template <int K>
 [[gnu::noinline]] Sight seen_anew(const ComplexView<K>& complex, const Kernel<K>& kernel, Scratch& scratch, CellId c,
                                   VertexId q, const Sight& seen) {
+  if (!scratch.territory.holds(complex.vertices(c))) return seen;
   const Hyperplane<K> plane = kernel.hyperplane(complex.vertices(c));
   if (plane.tilt_error == 0.0) return seen;
-  if (scratch.territory.holds(complex.vertices(c))) scratch.plane<K>(c) = plane;
+  scratch.plane<K>(c) = plane;
   return kernel.sight(plane, q);
 }
 

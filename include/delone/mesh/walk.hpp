@@ -62,8 +62,9 @@ Outside walk_outside(const ComplexView<K, C>& complex, Kernel<K>& kernel, const 
       distance = std::max(d, distance);
     }
     if (kernel.orient(v, ghost, q) > 0) return {c, true};
+    if (!territory.touches(v, farthest)) break;
     const CellId next = complex.cell(complex.twin(c, farthest));
-    if (next == last || !territory.touches(v, farthest)) break;
+    if (next == last) break;
     last = std::exchange(c, next);
   }
   return {c, false};

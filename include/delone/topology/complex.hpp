@@ -76,7 +76,7 @@ class Complex {
   /// from the room that this one has now, rows of slots in turn; where that ends reserve_more() throws std::bad_alloc.
   /// Its counts are of its own changes, and its ghost has no cell before it creates one. Good until this one changes.
   Complex part(std::size_t which, std::size_t count);
-  /// Ends the parts: what they did counts here, and the slots that they left over are those of dead cells.
+  /// Ends the parts: what they did counts here, and the last cells move to slots that are dead, so that none is left.
   void end_parts(std::span<Complex* const> parts);
   /// Gives back what growth left over.
   void shrink();
@@ -103,6 +103,8 @@ class Complex {
 
   /// A row of dead cells, the first of which is taken first.
   void add_dead_row(std::size_t first);
+  /// Moves the last live cells to dead slots of a list, as far as these are among the first live_count() ones.
+  void fill_gaps(Index first);
   std::size_t stride() const { return 2 * static_cast<std::size_t>(corners()); }
 
   int dimension_;
