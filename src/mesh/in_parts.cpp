@@ -247,7 +247,10 @@ class PartwiseInserter {
       mesh_->statistics += mesh.statistics;
     }
     mesh_->statistics.in_turn += in_turn;
-    mesh_->complex.end_parts(complexes);
+    const auto moves = mesh_->complex.end_parts(complexes);
+    if constexpr (K > 3) {
+      for (const auto& [from, to] : moves) mesh_->scratch.plane<K>(to) = mesh_->scratch.plane<K>(from);
+    }
     std::ranges::sort(round.waiting);
   }
 

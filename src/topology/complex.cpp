@@ -42,7 +42,7 @@ Complex Complex::part(std::size_t which, std::size_t count) {
   return part;
 }
 
-void Complex::end_parts(std::span<Complex* const> parts) {
+std::vector<std::array<CellId, 2>> Complex::end_parts(std::span<Complex* const> parts) {
   std::size_t used = slot_count();
   for (const Complex* part : parts) {
     if (part->supply_.drawn != 0) used = std::max(used, part->supply_.next - part->supply_.step + kRow);
@@ -54,13 +54,15 @@ void Complex::end_parts(std::span<Complex* const> parts) {
     ghosts_ += part->ghosts_;
     if (part->ghost_cell_ != kNoCell) ghost_cell_ = part->ghost_cell_;
   }
-  fill_gaps(free_);
-  for (const Complex* part : parts) fill_gaps(part->free_);
+  std::vector<std::array<CellId, 2>> moves;
+  fill_gaps(free_, moves);
+  for (const Complex* part : parts) fill_gaps(part->free_, moves);
   ids_.resize(live_ * stride());
   free_ = kNone;
+  return moves;
 }
 
-void Complex::fill_gaps(Index gap) {
+void Complex::fill_gaps(Index gap, std::vector<std::array<CellId, 2>>& moves) {
   for (Index next; gap != kNone; gap = next) {
     next = ids_[gap * stride() + 1];
     if (gap >= live_) continue;
@@ -69,6 +71,7 @@ void Complex::fill_gaps(Index gap) {
     std::copy_n(ids_.data() + last * stride(), stride(), ids_.data() + gap * stride());
     ids_.resize(last * stride());
     const CellId c{gap};
+    moves.push_back({CellId{static_cast<Index>(last)}, c});
     for (int i = 0; i < corners(); ++i) {
       const FacetId f = twin(c, i);
       ids_[raw(cell(f)) * stride() + static_cast<std::size_t>(corners() + slot(f))] =

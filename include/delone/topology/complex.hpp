@@ -15,6 +15,7 @@
 #include <span>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "delone/base/assert.hpp"
 #include "delone/base/buffer.hpp"
@@ -77,7 +78,8 @@ class Complex {
   /// Its counts are of its own changes, and its ghost has no cell before it creates one. Good until this one changes.
   Complex part(std::size_t which, std::size_t count);
   /// Ends the parts: what they did counts here, and the last cells move to slots that are dead, so that none is left.
-  void end_parts(std::span<Complex* const> parts);
+  /// Returns these, from where and where to, in the order in which they moved.
+  std::vector<std::array<CellId, 2>> end_parts(std::span<Complex* const> parts);
   /// Gives back what growth left over.
   void shrink();
   /// Refills the incident cell of every vertex from the cells.
@@ -104,7 +106,7 @@ class Complex {
   /// A row of dead cells, the first of which is taken first.
   void add_dead_row(std::size_t first);
   /// Moves the last live cells to dead slots of a list, as far as these are among the first live_count() ones.
-  void fill_gaps(Index first);
+  void fill_gaps(Index first, std::vector<std::array<CellId, 2>>& moves);
   std::size_t stride() const { return 2 * static_cast<std::size_t>(corners()); }
 
   int dimension_;
