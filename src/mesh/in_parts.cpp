@@ -111,11 +111,12 @@ struct Round {
 /// What one thread works on: a mesh of the same sites and cells, with lists and counts of its own.
 class Part {
  public:
-  void begin(const Round& round, std::uint8_t box, std::size_t boxes) {
+  /// @param row  of new cells that the part takes at a time
+  void begin(const Round& round, std::uint8_t box, std::size_t boxes, std::size_t row) {
     Mesh& whole = *round.mesh;
     put_off_.clear();
     mesh_.sites = whole.sites.lent();
-    mesh_.complex = whole.complex.part(box, boxes);
+    mesh_.complex = whole.complex.part(box, boxes, row);
     mesh_.duplicates = {};
     mesh_.vertex_count = 0;
     mesh_.statistics = {};
@@ -199,13 +200,13 @@ class PartwiseInserter {
     for_chunks(round.last, threads_, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t site = begin; site < end; ++site) round.box_of[site] = cut.box_of(static_cast<Index>(site));
     });
-    make_room(round.waiting.size(), boxes);
+    const std::size_t row = make_room(round.waiting.size(), boxes);
     if (parts_.size() < boxes) parts_.resize(boxes);
     std::atomic<bool> stopped = false;
     const auto caller = std::this_thread::get_id();
     const auto insert_box = [&](std::size_t box) {
       const bool telling = std::this_thread::get_id() == caller;
-      parts_[box].begin(round, static_cast<std::uint8_t>(box), boxes);
+      parts_[box].begin(round, static_cast<std::uint8_t>(box), boxes, row);
       parts_[box].template insert<K>(round, [&](std::size_t turn) {
         if (stopped) throw Cancelled();
         if (telling) tell_done(turn, round.last - round.waiting.size() + turn * boxes);
@@ -223,12 +224,17 @@ class PartwiseInserter {
     end_parts(round, std::span(parts_).first(boxes));
   }
 
-  /// Cells and marks for so many sites more, each of which needs as many as those before, or a few more.
-  void make_room(std::size_t sites, std::size_t boxes) {
-    const double each = static_cast<double>(mesh_->complex.live_count()) / static_cast<double>(mesh_->vertex_count);
+  /// Cells and marks for so many sites more, each of which needs as many as those before, or a few more. Returns how
+  /// many cells a box should take at a time: so many that boxes seldom meet in one page of memory, and few are left
+  /// over.
+  std::size_t make_room(std::size_t sites, std::size_t boxes) {
+    Complex& complex = mesh_->complex;
+    const double each = static_cast<double>(complex.live_count()) / static_cast<double>(mesh_->vertex_count);
     const auto expected = static_cast<std::size_t>(1.05 * each * static_cast<double>(sites));
-    mesh_->complex.reserve_more(expected + boxes * 1024, mesh_->sites.size());
-    mesh_->scratch.reserve_cells(K, mesh_->complex.slot_room());
+    const std::size_t row = std::clamp<std::size_t>(expected / boxes / 16, 256, 1 << 15);
+    complex.reserve_more(expected + boxes * row + complex.slot_count() - complex.live_count(), mesh_->sites.size());
+    mesh_->scratch.reserve_cells(K, complex.slot_room());
+    return row;
   }
 
   /// Makes one of mesh and parts again.

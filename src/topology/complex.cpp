@@ -10,9 +10,9 @@ namespace delone {
 
 void Complex::reserve_more(std::size_t cells, std::size_t vertex_slots) {
   if (supply_.step != 0) {
-    for (; supply_.drawn - live_ < cells; supply_.next += supply_.step, supply_.drawn += kRow) {
-      if (supply_.next + kRow > supply_.end) throw std::bad_alloc();
-      add_dead_row(supply_.next);
+    while (supply_.drawn - live_ < cells) {
+      if (supply_.next + supply_.row > supply_.end) throw std::bad_alloc();
+      add_dead_row();
     }
     return;
   }
@@ -26,30 +26,30 @@ void Complex::reserve_more(std::size_t cells, std::size_t vertex_slots) {
   if (vertex_slots > incident_.size()) incident_.reserve_more(vertex_slots - incident_.size());
 }
 
-void Complex::add_dead_row(std::size_t first) {
-  for (std::size_t slot = first + kRow; slot-- > first;) {
+void Complex::add_dead_row() {
+  for (std::size_t slot = supply_.next + supply_.row; slot-- > supply_.next;) {
     ids_[slot * stride()] = kDead;
     ids_[slot * stride() + 1] = std::exchange(free_, static_cast<Index>(slot));
   }
+  supply_.next += supply_.step;
+  supply_.drawn += supply_.row;
 }
 
-Complex Complex::part(std::size_t which, std::size_t count) {
+Complex Complex::part(std::size_t which, std::size_t count, std::size_t row) {
   Complex part(dimension_);
   part.ids_ = ids_.lent();
   part.ids_.resize(slot_room() * stride());
   part.incident_ = incident_.lent();
-  part.supply_ = {.next = slot_count() + which * kRow, .step = count * kRow, .end = slot_room()};
+  part.supply_ = {.next = slot_count() + which * row, .step = count * row, .row = row, .end = slot_room()};
   return part;
 }
 
 std::vector<std::array<CellId, 2>> Complex::end_parts(std::span<Complex* const> parts) {
   std::size_t used = slot_count();
-  for (const Complex* part : parts) {
-    if (part->supply_.drawn != 0) used = std::max(used, part->supply_.next - part->supply_.step + kRow);
-  }
+  for (const Complex* part : parts) used = std::max(used, part->supply_.drawn_end());
   ids_.resize(used * stride());
   for (Complex* part : parts) {
-    for (; part->supply_.next < used; part->supply_.next += part->supply_.step) part->add_dead_row(part->supply_.next);
+    while (part->supply_.next < used) part->add_dead_row();
     live_ += part->live_;
     ghosts_ += part->ghosts_;
     if (part->ghost_cell_ != kNoCell) ghost_cell_ = part->ghost_cell_;

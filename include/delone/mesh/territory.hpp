@@ -24,6 +24,13 @@ struct Territory {
     for (const VertexId v : vertices) all = all && holds(v);
     return all;
   }
+  /// The same of sites only, without a branch for each, where there are parts.
+  template <std::size_t N>
+  bool holds_all(const std::array<VertexId, N>& sites) const {
+    unsigned differ = 0;
+    for (const VertexId site : sites) differ |= static_cast<unsigned>(part_of[raw(site)] ^ own);
+    return differ == 0;
+  }
   /// Whether a facet, of a cell whose vertices these are opposite one of them, has a site of one's own. Then nobody
   /// else changes the cells on its sides, nor what they know of each other.
   template <std::size_t N>

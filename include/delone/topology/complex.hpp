@@ -74,9 +74,10 @@ class Complex {
   /// Vertices below `count` may be used; new ones are in no cell. Requires reserved room.
   void grow_vertices(std::size_t count) { incident_.resize(count, kNone); }
   /// One of `count` parts: a complex over the same cells, to be changed by a thread of its own. What it creates comes
-  /// from the room that this one has now, rows of slots in turn; where that ends reserve_more() throws std::bad_alloc.
-  /// Its counts are of its own changes, and its ghost has no cell before it creates one. Good until this one changes.
-  Complex part(std::size_t which, std::size_t count);
+  /// from the room that this one has now, rows of so many slots in turn; where that ends reserve_more() throws
+  /// std::bad_alloc. Its counts are of its own changes, and its ghost has no cell before it creates one. Good until
+  /// this one changes.
+  Complex part(std::size_t which, std::size_t count, std::size_t row);
   /// Ends the parts: what they did counts here, and the last cells move to slots that are dead, so that none is left.
   /// Returns these, from where and where to, in the order in which they moved.
   std::vector<std::array<CellId, 2>> end_parts(std::span<Complex* const> parts);
@@ -95,16 +96,16 @@ class Complex {
   static constexpr int slot_bits(int corners) {
     return corners > 0 ? static_cast<int>(std::bit_width(static_cast<unsigned>(corners - 1))) : 0;
   }
-  static constexpr std::size_t kRow = 1024;  // slots that a part draws at a time
-
   /// Of a part: the fresh slots that it may still draw, a row at `next`, and at every `step` slots from there.
   struct Supply {
-    std::size_t next = 0, step = 0, end = 0;
+    std::size_t next = 0, step = 0, row = 0, end = 0;
     std::size_t drawn = 0;  ///< slots so far
+
+    std::size_t drawn_end() const { return drawn == 0 ? 0 : next - step + row; }
   };
 
-  /// A row of dead cells, the first of which is taken first.
-  void add_dead_row(std::size_t first);
+  /// The next row of a part becomes dead cells, the first of which is taken first.
+  void add_dead_row();
   /// Moves the last live cells to dead slots of a list, as far as these are among the first live_count() ones.
   void fill_gaps(Index first, std::vector<std::array<CellId, 2>>& moves);
   std::size_t stride() const { return 2 * static_cast<std::size_t>(corners()); }
