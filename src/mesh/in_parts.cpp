@@ -232,7 +232,9 @@ class PartwiseInserter {
     const double each = static_cast<double>(complex.live_count()) / static_cast<double>(mesh_->vertex_count);
     const auto expected = static_cast<std::size_t>(1.05 * each * static_cast<double>(sites));
     const std::size_t row = std::clamp<std::size_t>(expected / boxes / 16, 256, 1 << 15);
-    complex.reserve_more(expected + boxes * row + complex.slot_count() - complex.live_count(), mesh_->sites.size());
+    const std::size_t fresh = std::min(expected + boxes * row, complex.nameable_slots() - complex.slot_count());
+    const std::size_t dead = complex.slot_count() - complex.live_count();  // not for parts
+    complex.reserve_more(fresh + dead, mesh_->sites.size());
     mesh_->scratch.reserve_cells(K, complex.slot_room());
     return row;
   }
