@@ -1,5 +1,5 @@
-// Delone itself: with the options that a user gets by default, with two threads, and with points inserted one by one in
-// the given order.
+// Delone itself: with the options that a user gets by default, with several threads, and with points inserted one by
+// one in the given order.
 #include <memory>
 
 #include "bench/peer.hpp"

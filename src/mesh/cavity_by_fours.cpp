@@ -84,7 +84,7 @@ DELONE_BY_FOURS bool search(ComplexView<3> complex, Kernel<3>& kernel, VertexId 
       ++asked;
     }
     unsigned held = 15;
-    if (!territory.whole() && (ghosts || !territory.holds_all(apexes)))
+    if (!territory.whole() && (ghosts || !territory.holds_sites(apexes)))
         [[unlikely]] {  // what c has in common with a cell across is held
       for (std::size_t i = 0; i < 4; ++i) held &= ~((territory.holds(apexes[i]) ? 0U : 1U) << i);
       if ((conflict & ~held) != 0) return false;

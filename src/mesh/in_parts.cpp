@@ -9,17 +9,17 @@
 // is repeated, and nothing depends on who was first; boxes through medians, since what their sides cut is less than
 // what the ends of a curve's pieces do.
 //
-// Cost: a share of the insertions, and for a round of m sites in K dimensions O(m^(1 - 1/K)) that are put off.
+// Cost: a share of the insertions, and for a round of m uniform sites in K dimensions O(m^(1 - 1/K)) that are put off.
 #include "mesh/in_parts.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
-#include <new>
 #include <numeric>
 #include <optional>
 #include <span>
 #include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -108,15 +108,20 @@ struct Round {
   }
 };
 
+/// Where the threads find slots for new cells.
+struct Room {
+  std::size_t row;  ///< that a box takes at a time: boxes should seldom meet in one page of memory, and leave few over
+  std::size_t end;
+};
+
 /// What one thread works on: a mesh of the same sites and cells, with lists and counts of its own.
 class Part {
  public:
-  /// @param row  of new cells that the part takes at a time
-  void begin(const Round& round, std::uint8_t box, std::size_t boxes, std::size_t row) {
+  void begin(const Round& round, std::uint8_t box, std::size_t boxes, const Room& room) {
     Mesh& whole = *round.mesh;
     put_off_.clear();
     mesh_.sites = whole.sites.lent();
-    mesh_.complex = whole.complex.part(box, boxes, row);
+    mesh_.complex = whole.complex.part(box, boxes, room.row, room.end);
     mesh_.duplicates = {};
     mesh_.vertex_count = 0;
     mesh_.statistics = {};
@@ -126,24 +131,24 @@ class Part {
   }
 
   /// Inserts the sites of the box. Those that are put off are listed; so are all when no more cells are to be had.
-  /// @param tell  is told before each how many came before
-  template <int K, class Tell>
-  void insert(const Round& round, const Tell& tell) {
+  /// @param go_on  is told before each how many came before; nothing more is done when it says no
+  template <int K, class GoOn>
+  void insert(const Round& round, const GoOn& go_on) {
     Inserter<K> inserter(mesh_);
     CellId home = cell_of_box(round.first);  // where a vertex was made
     CellId near = home;                      // where the last walk ended
-    bool room = home != kNoCell;
+    bool slots = home != kNoCell;
     std::size_t turn = 0;
     for (const Index site : round.waiting) {
       if (!mesh_.scratch.territory.holds(VertexId{site})) continue;
-      tell(turn++);
+      if (!go_on(turn++)) return;
       std::optional<Outcome> outcome;
       try {
-        if (room) outcome = inserter.try_insert(VertexId{site}, near);
-        if (room && inserter.last_cell() == kNoCell && near != home)
+        if (slots) outcome = inserter.try_insert(VertexId{site}, near);
+        if (slots && inserter.last_cell() == kNoCell && near != home)
           outcome = inserter.try_insert(VertexId{site}, home);
-      } catch (const std::bad_alloc&) {
-        room = false;
+      } catch (const NoMoreSlots&) {
+        slots = false;
       }
       near = inserter.last_cell() != kNoCell ? inserter.last_cell() : home;
       if (outcome) {
@@ -173,6 +178,7 @@ class Part {
   Mesh mesh_{Sites(1)};
   std::vector<Index> put_off_;
 };
+static_assert(std::is_nothrow_move_constructible_v<Part>, "a vector moves them, and copies no memory that was lent");
 
 template <int K>
 class PartwiseInserter {
@@ -186,7 +192,7 @@ class PartwiseInserter {
     for (std::size_t most = std::min({static_cast<std::size_t>(threads_), kMostBoxes, first / few_});;) {
       const std::size_t before = round.waiting.size();
       const std::size_t boxes = std::min(most, before / few_);
-      if (boxes < 2) break;
+      if (boxes < 2 || before < last / 256) break;  // to find the box of each site would take longer
       insert_in_boxes(round, boxes);
       if (round.waiting.size() > before / 2) most = boxes / 2;  // too small for so coarse a mesh
     }
@@ -200,16 +206,16 @@ class PartwiseInserter {
     for_chunks(round.last, threads_, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t site = begin; site < end; ++site) round.box_of[site] = cut.box_of(static_cast<Index>(site));
     });
-    const std::size_t row = make_room(round.waiting.size(), boxes);
+    const Room room = make_room(round.waiting.size(), boxes);
     if (parts_.size() < boxes) parts_.resize(boxes);
     std::atomic<bool> stopped = false;
     const auto caller = std::this_thread::get_id();
     const auto insert_box = [&](std::size_t box) {
       const bool telling = std::this_thread::get_id() == caller;
-      parts_[box].begin(round, static_cast<std::uint8_t>(box), boxes, row);
+      parts_[box].begin(round, static_cast<std::uint8_t>(box), boxes, room);
       parts_[box].template insert<K>(round, [&](std::size_t turn) {
-        if (stopped) throw Cancelled();
-        if (telling) tell_done(turn, round.last - round.waiting.size() + turn * boxes);
+        if (telling) tell_done(turn, std::min(round.last, round.last - round.waiting.size() + turn * boxes));
+        return !stopped;
       });
     };
     const auto guarded = [&](std::size_t box, std::size_t /*end*/, std::size_t /*chunk*/) {
@@ -224,19 +230,16 @@ class PartwiseInserter {
     end_parts(round, std::span(parts_).first(boxes));
   }
 
-  /// Cells and marks for so many sites more, each of which needs as many as those before, or a few more. Returns how
-  /// many cells a box should take at a time: so many that boxes seldom meet in one page of memory, and few are left
-  /// over.
-  std::size_t make_room(std::size_t sites, std::size_t boxes) {
+  /// Where boxes find room for the cells that so many sites more need, each as many as those before, or a few more.
+  Room make_room(std::size_t sites, std::size_t boxes) {
     Complex& complex = mesh_->complex;
     const double each = static_cast<double>(complex.live_count()) / static_cast<double>(mesh_->vertex_count);
     const auto expected = static_cast<std::size_t>(1.05 * each * static_cast<double>(sites));
     const std::size_t row = std::clamp<std::size_t>(expected / boxes / 16, 256, 1 << 15);
-    const std::size_t fresh = std::min(expected + boxes * row, complex.nameable_slots() - complex.slot_count());
-    const std::size_t dead = complex.slot_count() - complex.live_count();  // not for parts
-    complex.reserve_more(fresh + dead, mesh_->sites.size());
-    mesh_->scratch.reserve_cells(K, complex.slot_room());
-    return row;
+    const std::size_t end = std::min(complex.slot_count() + expected + boxes * row, complex.nameable_slots());
+    complex.reserve_slots(end);
+    mesh_->scratch.reserve_cells(K, end);
+    return {row, end};
   }
 
   /// Makes one of mesh and parts again.
@@ -277,7 +280,7 @@ class PartwiseInserter {
 
   /// Now and then tells that about so many sites are done; never fewer than before.
   void tell_done(std::size_t turn, std::size_t done) {
-    if (turn % 1024 != 0 || !*progress_) return;
+    if (turn % insertions_a_call(K) != 0 || !*progress_) return;
     told_ = std::max(told_, done - start_);
     tell_every(1, *progress_, told_, mesh_->sites.size() - start_);
   }
@@ -308,15 +311,13 @@ void insert_rounds(Mesh& mesh, std::size_t first, std::span<const std::size_t> r
   });
 }
 
-void insert_all_in_rounds(Mesh& mesh, std::span<const std::size_t> round_ends, int threads, const Progress& progress,
-                          std::size_t room) {
+void insert_all_in_rounds(Mesh& mesh, std::span<const std::size_t> round_ends, int threads, const Progress& progress) {
   const int k = mesh.complex.dimension();
-  if (threads < 2 || k < 2) return insert_all(mesh, progress, room);
+  if (threads < 2 || k < 2) return insert_all(mesh, progress);
   const std::size_t count = mesh.sites.size();
   const std::size_t first = std::max(round_ends.front(), static_cast<std::size_t>(k) + 1);
   const double share = static_cast<double>(first) / static_cast<double>(count);
-  insert_first(mesh, first, part_of(progress, 0.0, share), std::max(room, count));
-  mesh.statistics.in_turn += first;
+  insert_first(mesh, first, part_of(progress, 0.0, share));
   insert_rounds(mesh, first, round_ends.subspan(1), threads, part_of(progress, share, 1.0));
 }
 

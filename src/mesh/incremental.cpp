@@ -61,20 +61,20 @@ void insert_range(Mesh& mesh, std::size_t first, std::size_t last, const Progres
   reserve_expected(mesh.complex, last - first, mesh.sites.size());
   mesh.complex.grow_vertices(mesh.sites.size());
   with_dimension(k, [&](auto dimension) { insert_sites<dimension>(mesh, first, last, progress); });
+  mesh.statistics.in_turn += last - first;
 }
 
-void insert_first(Mesh& mesh, std::size_t count, const Progress& progress, std::size_t room) {
+void insert_first(Mesh& mesh, std::size_t count, const Progress& progress) {
   const int k = mesh.complex.dimension();
   if (k < 0) return;
-  room = std::max(room, mesh.sites.size());
-  reserve_expected(mesh.complex, room, room);
+  reserve_expected(mesh.complex, mesh.sites.size(), mesh.sites.size());
   mesh.complex.grow_vertices(mesh.sites.size());
   with_dimension(k, [&](auto dimension) { make_first_cells<dimension>(mesh); });
   insert_range(mesh, static_cast<std::size_t>(k) + 1, count, progress);
 }
 
-void insert_all(Mesh& mesh, const Progress& progress, std::size_t room) {
-  insert_first(mesh, mesh.sites.size(), progress, room);
+void insert_all(Mesh& mesh, const Progress& progress) {
+  insert_first(mesh, mesh.sites.size(), progress);
 }
 
 }  // namespace delone

@@ -9,12 +9,11 @@
 namespace delone {
 
 /// Makes the first simplex from sites 0 to k of a mesh without cells, then inserts all other sites in their order.
-/// @param room  sites that the mesh will have some day, if more than now
 /// @throws Cancelled when `progress` says so; std::bad_alloc. The mesh is then half-built: callers work on their own.
-void insert_all(Mesh& mesh, const Progress& progress, std::size_t room = 0);
+void insert_all(Mesh& mesh, const Progress& progress);
 
 /// The same for sites 0 to count - 1 only.
-void insert_first(Mesh& mesh, std::size_t count, const Progress& progress, std::size_t room = 0);
+void insert_first(Mesh& mesh, std::size_t count, const Progress& progress);
 
 /// Inserts sites first to last - 1, in their order, into a mesh that has cells.
 void insert_range(Mesh& mesh, std::size_t first, std::size_t last, const Progress& progress);

@@ -26,7 +26,7 @@ void bring_to_front(std::vector<Index>& order, std::span<const Index> rows) {
 
 }  // namespace
 
-Mesh triangulate_points(PointsView points, int threads, const Progress& progress, std::size_t room) {
+Mesh triangulate_points(PointsView points, int threads, const Progress& progress) {
   Stopwatch watch;
   const AffineHull hull = affine_hull(points);
   const std::span axes = std::span(hull.flat.axes).first(static_cast<std::size_t>(std::max(hull.flat.dimension, 0)));
@@ -43,7 +43,7 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
   bring_to_front(order, std::span(hull.basis).first(points.empty() ? 0 : axes.size() + 1));
   mesh.sites.append(points, order, 0, threads);
   mesh.statistics.order_seconds = watch.lap();
-  insert_all_in_rounds(mesh, rounds, threads, progress, room);
+  insert_all_in_rounds(mesh, rounds, threads, progress);
   mesh.statistics.insert_seconds = watch.lap();
   return mesh;
 }

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "delone/base/progress.hpp"
 #include "delone/geometry/points.hpp"
@@ -14,10 +13,9 @@
 namespace delone {
 
 /// The triangulation of `points` in the flat that they span. It does not depend on the number of threads, but the
-/// numbers of its vertices and cells do.
-/// @param room  sites that the mesh will have some day, if more than now: memory that grows later is slow
+/// numbers of its cells do, and which of several equal sites is the vertex.
 /// @throws Cancelled when `progress` says so; std::bad_alloc
-Mesh triangulate_points(PointsView points, int threads, const Progress& progress, std::size_t room = 0);
+Mesh triangulate_points(PointsView points, int threads, const Progress& progress);
 
 /// The triangulation of points in a plane, without weights, by divide and conquer along cuts of the two axes of their
 /// flat. Where all lie on a line it has ghosts only, where all stand at one place no cell. @throws as above

@@ -212,6 +212,7 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
     const std::span<const int> next_axes = axes.subspan(job.axis, K);
     const Cube<K> cube(points, next_axes, rows, job.begin, job.end, threads);
     if (!(cube.extent > 0.0)) {
+      if (job.rounds > 0) rows.sort_by(job.begin, job.end, [&](Index row) { return round_of(row, job.rounds); });
       if (job.axis + K < axes.size()) jobs.push_back({job.begin, job.end, job.rounds, job.grids, job.axis + K});
       continue;
     }
@@ -275,7 +276,7 @@ std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int 
 }
 
 std::vector<std::size_t> round_ends(std::span<const Index> order, int axes) {
-  const int rounds = round_count(order.size(), static_cast<std::size_t>(axes));
+  const int rounds = axes == 0 ? 0 : round_count(order.size(), static_cast<std::size_t>(axes));
   std::vector<std::size_t> ends;
   for (int round = 0; round < rounds; ++round) {
     const auto end = std::ranges::partition_point(order, [&](Index row) { return round_of(row, rounds) <= round; });

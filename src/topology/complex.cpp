@@ -1,7 +1,6 @@
 #include "delone/topology/complex.hpp"
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
 #include "delone/base/errors.hpp"
@@ -11,7 +10,7 @@ namespace delone {
 void Complex::reserve_more(std::size_t cells, std::size_t vertex_slots) {
   if (supply_.step != 0) {
     while (supply_.drawn - live_ < cells) {
-      if (supply_.next + supply_.row > supply_.end) throw std::bad_alloc();
+      if (supply_.next + supply_.row > supply_.end) throw NoMoreSlots();
       add_dead_row();
     }
     return;
@@ -35,12 +34,12 @@ void Complex::add_dead_row() {
   supply_.drawn += supply_.row;
 }
 
-Complex Complex::part(std::size_t which, std::size_t count, std::size_t row) {
+Complex Complex::part(std::size_t which, std::size_t count, std::size_t row, std::size_t end) {
   Complex part(dimension_);
   part.ids_ = ids_.lent();
-  part.ids_.resize(slot_room() * stride());
+  part.ids_.resize(end * stride());
   part.incident_ = incident_.lent();
-  part.supply_ = {.next = slot_count() + which * row, .step = count * row, .row = row, .end = slot_room()};
+  part.supply_ = {.next = slot_count() + which * row, .step = count * row, .row = row, .end = end};
   return part;
 }
 

@@ -75,7 +75,7 @@ class Inserter {
     replace_cavity(q, c, watch);
   }
 
-  /// A live cell close to the last insertion.
+  /// A live cell close to the last insertion; after a failed trial the one where its walk ended, or kNoCell.
   CellId last_cell() const { return last_; }
   /// What the last insertion changed, if its outcome was `inserted`; valid until the next.
   /// Cannot fail: room has been made.

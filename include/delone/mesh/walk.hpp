@@ -73,7 +73,8 @@ Outside walk_outside(const ComplexView<K, C>& complex, Kernel<K>& kernel, const 
 /// The closed cell that contains q: finite if q lies in the hull, else a ghost cell whose facet q lies strictly beyond.
 /// @param q      K leading coordinates, of a site or of any other point in the range that the kernel knows
 /// @param start  any live cell; a near one is fast
-/// @param territory  of which the start has a vertex; kNoCell when the walk comes to a facet that has none
+/// @param territory  of which the start has a site; kNoCell when the walk comes to a facet that has none, or to its
+/// bound
 template <int K, class C>
 CellId walk(const ComplexView<K, C>& complex, Kernel<K>& kernel, const double* q, CellId start, WalkStats& stats,
             const Territory& territory = {}) {

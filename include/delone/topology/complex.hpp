@@ -23,6 +23,9 @@
 
 namespace delone {
 
+/// A part of a complex has drawn all that it may (see Complex::part).
+struct NoMoreSlots {};
+
 class Complex {
  public:
   /// An empty complex of dimension -1 (no cell can exist) to 8.
@@ -35,8 +38,6 @@ class Complex {
   std::size_t slot_count() const { return dimension_ < 0 ? 0 : ids_.size() / stride(); }
   /// The same when `cells` more have been created.
   std::size_t slot_count_with(std::size_t cells) const { return slot_count() + (supply_.step == 0 ? cells : 0); }
-  /// Slots for which there is memory.
-  std::size_t slot_room() const { return dimension_ < 0 ? 0 : ids_.capacity() / stride(); }
   /// Every FacetId lies below.
   std::size_t facet_slots() const { return slot_count() << slot_bits(corners()); }
   /// How many slots the ids can name.
@@ -71,13 +72,15 @@ class Complex {
 
   /// Room for `cells` more live cells and vertices below `vertex_slots`; on std::bad_alloc nothing has changed.
   void reserve_more(std::size_t cells, std::size_t vertex_slots);
+  /// Room for slots below `slots` and no more. @throws as above
+  void reserve_slots(std::size_t slots) { ids_.reserve(slots * stride()); }
   /// Vertices below `count` may be used; new ones are in no cell. Requires reserved room.
   void grow_vertices(std::size_t count) { incident_.resize(count, kNone); }
   /// One of `count` parts: a complex over the same cells, to be changed by a thread of its own. What it creates comes
-  /// from the room that this one has now, rows of so many slots in turn; where that ends reserve_more() throws
-  /// std::bad_alloc. Its counts are of its own changes, and its ghost has no cell before it creates one. Good until
-  /// this one changes.
-  Complex part(std::size_t which, std::size_t count, std::size_t row);
+  /// from slots below `end`, for which there is room, rows of so many in turn; where they end reserve_more() throws
+  /// NoMoreSlots. Its counts are of its own changes, and its ghost has no cell before it creates one. Good until this
+  /// one changes.
+  Complex part(std::size_t which, std::size_t count, std::size_t row, std::size_t end);
   /// Ends the parts: what they did counts here, and the last cells move to slots that are dead, so that none is left.
   /// Returns these, from where and where to, in the order in which they moved.
   std::vector<std::array<CellId, 2>> end_parts(std::span<Complex* const> parts);
