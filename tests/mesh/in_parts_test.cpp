@@ -91,6 +91,8 @@ TEST(InParts, the_numbers_of_cells_depend_on_the_number_of_threads_only) {
     const CellId c{static_cast<Index>(slot)};
     ASSERT_EQ(once.complex().is_live(c), again.complex().is_live(c));
     for (int i = 0; i < 4 && once.complex().is_live(c); ++i)
+      ASSERT_EQ(once.complex().vertex(c, i), again.complex().vertex(c, i));
+    for (int i = 0; i < 4 && once.complex().is_live(c); ++i)
       ASSERT_EQ(once.complex().twin(c, i), again.complex().twin(c, i));
   }
 }
@@ -116,6 +118,7 @@ TEST(InParts, what_finds_no_cell_in_its_part_is_inserted_all_the_same) {
     for (const double x : {t, t * t, t * t * t}) points.coordinates.push_back(x);
   }
   const AnyTriangulation t = built_in_parts(points, 1100, 2, 500);
+  EXPECT_GT(t.statistics().put_off, 500U);
   EXPECT_EQ(broken_invariant(t), "");
   EXPECT_EQ(canonical_hash(t), canonical_hash(build(points.view())));
 }
@@ -158,6 +161,32 @@ TEST(InParts, all_points_in_one_place_but_a_few) {
 TEST(InParts, a_caller_may_cancel_all_threads) {
   const PointSet points = uniform(3, 70000, 1);
   EXPECT_THROW(build(points.view(), {.threads = 2, .progress = [](double done) { return done < 0.3; }}), Cancelled);
+}
+
+TEST(InParts, what_a_caller_throws_arrives) {
+  struct Mine {};
+  const PointSet points = uniform(3, 70000, 1);
+  const Progress progress = [](double done) { return done < 0.3 ? true : throw Mine(); };
+  for (int i = 0; i < 5; ++i) EXPECT_THROW(build(points.view(), {.threads = 3, .progress = progress}), Mine);
+}
+
+TEST(InParts, boxes_may_grow_in_number_from_round_to_round) {
+  const PointSet points = uniform(3, 70000, 1);
+  const AnyTriangulation t = build(points.view(), {.threads = 64});
+  EXPECT_EQ(broken_invariant(t), "");
+  EXPECT_EQ(canonical_hash(t), canonical_hash(build(points.view())));
+  EXPECT_LT(t.statistics().in_turn, points.size() / 2);
+}
+
+TEST(InParts, progress_stays_below_one_where_boxes_differ) {
+  PointSet points = uniform(3, 2000, 1);
+  for (int i = 0; i < 20000; ++i) points.coordinates.insert(points.coordinates.end(), {0.5, 0.25, 0.125});
+  for (const int threads : {2, 3}) {
+    build(points.view(), {.threads = threads, .progress = [](double done) {
+                            EXPECT_LE(done, 1.0);
+                            return true;
+                          }});
+  }
 }
 
 TEST(InParts, progress_rises) {

@@ -43,7 +43,7 @@ struct BuildStatistics {
   std::uint64_t walk_fallbacks = 0;  ///< walks that hit their bound and were answered by looking at every cell
   std::uint64_t cells_created = 0;
   std::uint64_t put_off = 0;        ///< times that a thread left a site to others
-  std::uint64_t in_turn = 0;        ///< sites that were tried one after the other, by the busiest thread at each time
+  std::uint64_t in_turn = 0;        ///< of insertion in rounds: sites tried one after the other, by the busiest thread
   std::uint64_t flips = 0;          ///< of methods that flip
   std::uint64_t history_steps = 0;  ///< cells of a history, or of a conflict graph, that were asked about a point
 
