@@ -5,9 +5,8 @@
 // order of insertion, nothing has to be mended.
 //
 // Source: [MPR19], where threads own pieces of a curve, notice what others touch by the owner of each vertex, put it
-// off and move the pieces. Departures: cells of several boxes stay, so a vertex has one owner through a pass, no search
-// is repeated, and nothing depends on who was first; boxes through medians, since what their sides cut is less than
-// what the ends of a curve's pieces do.
+// off and move the pieces. Departures: cells of several boxes stay through a pass, so nothing depends on who was first;
+// boxes through medians, since they are convex, as the way of a walk is, and as easy to cut in any dimension.
 //
 // Cost: a share of the insertions, and for a round of m uniform sites in K dimensions O(m^(1 - 1/K)) that are put off.
 #include "mesh/in_parts.hpp"
