@@ -55,7 +55,9 @@ DELONE_BY_FOURS bool search(ComplexView<3> complex, Kernel<3>& kernel, VertexId 
   for (std::size_t next = 0; next < cavity.size(); ++next) {
     cavity.make_room(4);
     boundary.make_room(4);
-    if (next + 2 < cavity.size()) fetch_neighbours(complex, scratch, complex.cell(cavity[next + 2]));
+    if (next + 2 < cavity.size()) {
+      for (const FacetId f : complex.twins(complex.cell(cavity[next + 2]))) complex.prefetch(complex.cell(f));
+    }
     const CellId c = complex.cell(cavity[next]);
     scratch.numbers.add(complex.vertex(cavity[next]), next);
     const std::array<FacetId, 4> outside = complex.twins(c);

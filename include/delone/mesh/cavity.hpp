@@ -3,6 +3,7 @@
 // it. Cost: O(K * cells in it and around it); no allocation after warm-up.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -97,32 +98,42 @@ void keep_hyperplanes(const ComplexView<K>& complex, const Kernel<K>& kernel, Ve
   }
 }
 
-/// Asks memory for what tests of the neighbours of c will read.
-template <int K>
-[[gnu::always_inline]] inline void fetch_neighbours(const ComplexView<K>& complex, const Scratch& scratch, CellId c) {
-  for (int i = 0; i <= K; ++i) {
-    const CellId across = complex.cell(complex.twin(c, i));
-    complex.prefetch(across);
-    if constexpr (K > 3) {
-      const std::byte* const plane = scratch.planes.data() + raw(across) * Scratch::plane_size(K);
-      __builtin_prefetch(scratch.marks.data() + raw(across));
-      __builtin_prefetch(plane);
-      __builtin_prefetch(plane + Scratch::plane_size(K) - 1);  // half of them or more lie across two lines
-    }
-  }
-}
-
 /// Whether a search marks the cells that it finds: where it may come to one again.
 template <int K>
 bool marks_cells(const Kernel<K>& kernel) {
   return K != 2 || kernel.weighted();
 }
 
-/// find_cavity() by a search in breadth: the list is the queue. A cell's neighbours that are not yet known to be in
-/// conflict, as often some as others, are listed first, and no branch depends on the outcome of a test: nobody can
-/// predict either.
+/// Lists what is across the facets of cells `first` to `last` - 1 of a cavity, but for cells known to be in conflict,
+/// and asks memory for what their tests will read.
+template <int K>
+[[gnu::always_inline]] inline void list_neighbours(const ComplexView<K>& complex, const Refill<FacetId>& cavity,
+                                                   std::size_t first, std::size_t last, Scratch& scratch) {
+  Refill candidates(scratch.candidates);
+  candidates.clear();
+  candidates.make_room((last - first) * (K + 1));
+  for (std::size_t n = first; n < last; ++n) {
+    const CellId c = complex.cell(cavity[n]);
+    for (int i = 0; i <= K; ++i) {
+      const FacetId outside = complex.twin(c, i);
+      const CellId across = complex.cell(outside);
+      const bool known = scratch.marks.data()[raw(across)] == Scratch::Mark::conflicting;
+      candidates.push_if(!known, {complex.facet(c, i), outside, static_cast<Index>(n)});
+      if constexpr (K > 3) {
+        const std::byte* const plane = scratch.planes.data() + raw(across) * Scratch::plane_size(K);
+        __builtin_prefetch(plane);
+        __builtin_prefetch(plane + Scratch::plane_size(K) - 1);  // half of them or more lie across two lines
+      }
+    }
+  }
+}
+
+/// find_cavity() by a search in breadth: the list is the queue. The neighbours of some cells in turn that are not yet
+/// known to be in conflict are listed first, then tested all, and no branch depends on the outcome of a test or on the
+/// number of neighbours of one cell: nobody can predict either. A cell may be listed by two of these cells.
 template <int K>
 bool find_cavity_in_breadth(ComplexView<K> complex, Kernel<K>& kernel, VertexId q, CellId start, Scratch& scratch) {
+  constexpr std::size_t kTogether = 16;  // fewer: more wrong guesses; more: more cells are tested twice
   Refill cavity(scratch.cavity);
   Refill boundary(scratch.boundary);
   Refill sights(scratch.sights);                // of the two cells at a facet of the boundary
@@ -139,42 +150,51 @@ bool find_cavity_in_breadth(ComplexView<K> complex, Kernel<K>& kernel, VertexId 
     inside_sights.make_room(1);
     inside_sights.push(seen);
   }
-  for (std::size_t next = 0; next < cavity.size(); ++next) {
-    cavity.make_room(K + 1);
-    boundary.make_room(K + 1);
-    if (next + 2 < cavity.size()) fetch_neighbours(complex, scratch, complex.cell(cavity[next + 2]));
-    const CellId c = complex.cell(cavity[next]);
-    if constexpr (K == 3) scratch.numbers.add(complex.vertex(cavity[next]), next);
-    std::array<FacetId, K + 1> inside;
-    std::array<FacetId, K + 1> outside;
-    std::size_t count = 0;
-    for (int i = 0; i <= K; ++i) {
-      inside[count] = complex.facet(c, i);
-      outside[count] = complex.twin(c, i);
-      count += marks[raw(complex.cell(outside[count]))] == Scratch::Mark::conflicting ? 0 : 1;
+  for (std::size_t next = 0; next < cavity.size();) {
+    const std::size_t first = next;
+    next = std::min(cavity.size(), first + kTogether);
+    list_neighbours(complex, cavity, first, next, scratch);
+    if constexpr (K == 3) {
+      for (std::size_t n = first; n < next; ++n) scratch.numbers.add(complex.vertex(cavity[n]), n);
     }
+    const std::size_t count = scratch.candidates.size();
+    if constexpr (K > 3) scratch.outside_sights.resize(count);
+    Sight* const outside_sights = scratch.outside_sights.data();
+    const Candidate* const candidates = scratch.candidates.data();
+    cavity.make_room(count);
+    boundary.make_room(count);
     if constexpr (K > 3) {
-      inside_sights.make_room(K + 1);
-      sights.make_room(K + 1);
+      inside_sights.make_room(count);
+      sights.make_room(count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const CellId across = complex.cell(candidates[i].outside);
+        complex.prefetch(across);
+        outside_sights[i] = kernel.sight(scratch.plane<K>(across), q);
+      }
     }
     for (std::size_t i = 0; i < count; ++i) {
-      const CellId across = complex.cell(outside[i]);
+      const auto [inside, outside, from] = candidates[i];
+      const CellId across = complex.cell(outside);
+      const bool known = marks[raw(across)] == Scratch::Mark::conflicting;
       bool conflicting = false;
       if constexpr (K <= 3) {
         conflicting = in_conflict(complex, kernel, scratch, across, q);
       } else {
-        Sight seen;
-        conflicting = in_conflict(complex, kernel, scratch, across, q, seen);
-        inside_sights.push_if(conflicting, seen);
-        sights.push_if(!conflicting, {inside_sights[next], seen});
+        Sight& seen = outside_sights[i];
+        conflicting = kernel.conflict(seen, [&] { return in_conflict(complex, kernel, scratch, across, q, seen); });
       }
-      if (!territory.whole() && !territory.holds(complex.vertex(outside[i]))) [[unlikely]] {
+      conflicting |= known;
+      if constexpr (K > 3) {
+        inside_sights.push_if(conflicting != known, outside_sights[i]);
+        sights.push_if(!conflicting, {inside_sights[from], outside_sights[i]});
+      }
+      if (!territory.whole() && !territory.holds(complex.vertex(outside))) [[unlikely]] {
         if (conflicting) return false;
       } else {
         marks[raw(across)] = static_cast<Scratch::Mark>(conflicting);
       }
-      cavity.push_if(conflicting, outside[i]);
-      boundary.push_if(!conflicting, inside[i]);
+      cavity.push_if(conflicting != known, outside);
+      boundary.push_if(!conflicting, inside);
     }
   }
   return true;

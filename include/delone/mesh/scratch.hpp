@@ -71,6 +71,12 @@ struct Front {
   double turn;  ///< from left to right
 };
 
+/// In a search in breadth, a facet to whose other side it comes.
+struct Candidate {
+  FacetId inside, outside;
+  Index from;  ///< the number of the cell inside in the cavity
+};
+
 /// Above 3D: how the hyperplanes of the cells at a facet of the cavity's boundary see the new vertex.
 struct FacetSights {
   Sight inside, outside;
@@ -78,37 +84,40 @@ struct FacetSights {
 
 /// Above 3D: the facets of a new star by the ridges of the cavity's boundary, each of which two of them share.
 struct RidgeTable {
-  struct Entry {
-    std::uint32_t key;  ///< 0 where there is none
-    FacetId facet;      ///< the last one met
+  static constexpr std::size_t kWidth = 4;
+  struct alignas(16) Bucket {
+    std::array<std::uint32_t, kWidth> keys;  ///< 0 behind the last one
+    std::array<FacetId, kWidth> facets;      ///< the last ones met
   };
-  Buffer<Entry> entries;  ///< a power of two
+  Buffer<Bucket> buckets;  ///< a power of two of them
 
-  /// For as many facets; no more than half of the entries will be taken.
-  void reserve(std::size_t facets) { entries.resize(std::bit_ceil(facets)); }
-  std::size_t memory_bytes() const { return entries.capacity() * sizeof(Entry); }
+  /// For as many facets; no more than half of the places will be taken.
+  void reserve(std::size_t facets) { buckets.resize(std::bit_ceil(facets + 2 * kWidth) / kWidth); }
+  std::size_t memory_bytes() const { return buckets.capacity() * sizeof(Bucket); }
 };
 
 struct Scratch {
   // A type of its own, not a character type: a store of one may change no other number, and the compiler knows.
   enum class Mark : std::uint8_t { none, conflicting };
 
-  Territory territory;         ///< what an insertion may change
-  Buffer<Mark> marks;          ///< per cell slot; all `none` between insertions
-  Buffer<FacetId> cavity;      ///< of every cell in conflict a facet: the one that the search entered it by
-  Buffer<Front> fronts;        ///< of a search in depth
-  Buffer<FacetId> boundary;    ///< facets between the cavity and what stays, seen from inside
-  Buffer<CellId> created;      ///< the star, in the order of `boundary`
-  Buffer<VertexId> swallowed;  ///< vertices whose whole star lay in the cavity, with weights
-  Buffer<VertexId> displaced;  ///< hidden sites of cells that go, where they are known
-  Buffer<CellId> removed;      ///< the cells of the cavity, when somebody asked for them
+  Territory territory;           ///< what an insertion may change
+  Buffer<Mark> marks;            ///< per cell slot; all `none` between insertions
+  Buffer<FacetId> cavity;        ///< of every cell in conflict a facet: the one that the search entered it by
+  Buffer<Front> fronts;          ///< of a search in depth
+  Buffer<Candidate> candidates;  ///< of a search in breadth
+  Buffer<FacetId> boundary;      ///< facets between the cavity and what stays, seen from inside
+  Buffer<CellId> created;        ///< the star, in the order of `boundary`
+  Buffer<VertexId> swallowed;    ///< vertices whose whole star lay in the cavity, with weights
+  Buffer<VertexId> displaced;    ///< hidden sites of cells that go, where they are known
+  Buffer<CellId> removed;        ///< the cells of the cavity, when somebody asked for them
   CavityNumbers numbers;
   Buffer<EdgeTable> edges;  ///< one in 3D, else none: it is large, and a mesh is moved
   RidgeTable ridges;
   Hole hole;
-  Buffer<std::byte> planes;     ///< above 3D, per cell slot a Hyperplane; zero where it is not known
-  Buffer<Sight> inside_sights;  ///< above 3D, how those of the cavity see the new vertex
-  Buffer<FacetSights> sights;   ///< and those of the two cells at each facet of `boundary`
+  Buffer<std::byte> planes;      ///< above 3D, per cell slot a Hyperplane; zero where it is not known
+  Buffer<Sight> inside_sights;   ///< above 3D, how those of the cavity see the new vertex
+  Buffer<Sight> outside_sights;  ///< how those of the candidates do
+  Buffer<FacetSights> sights;    ///< and those of the two cells at each facet of `boundary`
 
   /// Of the hyperplane of a cell of dimension k; none are kept where a test from coordinates is as fast.
   static constexpr std::size_t plane_size(int k) {
@@ -143,9 +152,10 @@ struct Scratch {
   }
   std::size_t memory_bytes() const {
     return hole.memory_bytes() + marks.capacity() + numbers.number.capacity() * sizeof(Index) +
-           edges.capacity() * sizeof(EdgeTable) + planes.capacity() + inside_sights.capacity() * sizeof(Sight) +
+           edges.capacity() * sizeof(EdgeTable) + planes.capacity() +
+           (inside_sights.capacity() + outside_sights.capacity()) * sizeof(Sight) +
            sights.capacity() * sizeof(FacetSights) + ridges.memory_bytes() + fronts.capacity() * sizeof(Front) +
-           (cavity.capacity() + boundary.capacity()) * sizeof(FacetId) +
+           candidates.capacity() * sizeof(Candidate) + (cavity.capacity() + boundary.capacity()) * sizeof(FacetId) +
            (swallowed.capacity() + displaced.capacity()) * sizeof(VertexId) +
            (created.capacity() + removed.capacity()) * sizeof(CellId);
   }

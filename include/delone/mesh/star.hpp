@@ -16,6 +16,10 @@
 #include <cstdint>
 #include <cstring>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include "delone/mesh/scratch.hpp"
 #include "delone/topology/complex.hpp"
 
@@ -113,19 +117,31 @@ inline std::uint64_t name(VertexId v) {
   return x * 0xD6E8'FEB8'6659'FD93U;
 }
 
+/// A bit for each place of a bucket with this key or none, so that the lowest is the key's.
+inline unsigned places_for(const RidgeTable::Bucket& bucket, std::uint32_t key) {
+#ifdef __SSE2__  // a third of the instructions
+  const __m128i keys = _mm_load_si128(reinterpret_cast<const __m128i*>(bucket.keys.data()));
+  const __m128i same = _mm_cmpeq_epi32(keys, _mm_set1_epi32(static_cast<int>(key)));
+  const __m128i none = _mm_cmpeq_epi32(keys, _mm_setzero_si128());
+  return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(_mm_or_si128(same, none))));
+#else
+  unsigned places = 0;
+  for (unsigned i = 0; i < RidgeTable::kWidth; ++i)
+    places |= (std::min(bucket.keys[i], bucket.keys[i] ^ key) == 0 ? 1U : 0U) << i;
+  return places;
+#endif
+}
+
 /// Above 3D: a table of ridges by their names holds the last facet met at each, of which there are two. Names are not
 /// compared with vertices: if two ridges had one name, there would be fewer names than ridges, and only then is the
 /// answer false, with all cells made, but some linked wrongly. Whether a facet is the first or the second at its ridge
 /// steers no branch: the first is linked to itself until the second comes.
 template <int K>
 bool fill_by_ridge_table(ComplexView<K> complex, VertexId q, Scratch& scratch) {
-  RidgeTable::Entry* const entries = scratch.ridges.entries.data();
-  const std::size_t mask = scratch.ridges.entries.size() - 1;
+  RidgeTable::Bucket* const buckets = scratch.ridges.buckets.data();
+  const std::size_t mask = scratch.ridges.buckets.size() - 1;
   const int shift = 64 - std::popcount(mask);
-  const auto taken = [&](std::size_t e, std::uint32_t key) {  // by another ridge
-    return std::min(entries[e].key, entries[e].key ^ key) != 0;
-  };
-  std::memset(entries, 0, (mask + 1) * sizeof *entries);
+  std::memset(buckets, 0, (mask + 1) * sizeof *buckets);
   CellId* const created = scratch.created.data();
   const FacetId* const boundary = scratch.boundary.data();
   const std::size_t count = scratch.created.size();
@@ -141,15 +157,17 @@ bool fill_by_ridge_table(ComplexView<K> complex, VertexId q, Scratch& scratch) {
       complex.set_incident(complex.vertex(fresh, slot), fresh);
       const std::uint64_t ridge = sum - names[static_cast<std::size_t>(slot)];
       const std::uint32_t key = static_cast<std::uint32_t>(ridge) | 1;
-      std::size_t e = ridge >> shift;
-      e = (e + (taken(e, key) ? 1 : 0)) & mask;  // a first step without a branch
-      while (taken(e, key)) e = (e + 1) & mask;
-      const bool first = entries[e].key == 0;
+      std::size_t place = ridge >> shift;
+      while (places_for(buckets[place], key) == 0) [[unlikely]] place = (place + 1) & mask;
+      RidgeTable::Bucket& bucket = buckets[place];
+      const auto e = static_cast<std::size_t>(std::countr_zero(places_for(bucket, key)));
+      const bool first = bucket.keys[e] == 0;
       const FacetId facet = complex.facet(fresh, slot);
-      const FacetId other{raw(entries[e].facet) | (raw(facet) & (Index{0} - Index{first}))};  // a free entry holds 0
+      const FacetId other{raw(bucket.facets[e]) | (raw(facet) & (Index{0} - Index{first}))};  // a free place holds 0
       complex.set_twin(fresh, slot, other);
       complex.set_twin(other, facet);
-      entries[e] = {key, facet};
+      bucket.keys[e] = key;
+      bucket.facets[e] = facet;
       ridges += first ? 1 : 0;
     }
   }
