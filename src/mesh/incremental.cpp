@@ -1,6 +1,8 @@
 #include "mesh/incremental.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include "delone/base/dispatch.hpp"
 #include "delone/mesh/inserter.hpp"
@@ -8,12 +10,15 @@
 namespace delone {
 namespace {
 
-/// Makes room for the cells that n uniform points more need, for which it is a guess: where ids end, for fewer. Beyond
-/// dimension 3 they are too many to promise.
-void reserve_expected(Complex& complex, std::size_t n, std::size_t vertex_slots) {
-  const int k = complex.dimension();
-  const std::size_t nameable = complex.nameable_slots() - complex.slot_count();
-  complex.reserve_more(std::min(k <= 3 ? (k == 3 ? 7 * n : 2 * n) + 64 : 64, nameable), vertex_slots);
+/// Makes room for the cells that n uniform points more make, which is a guess: where ids end, for fewer. It is no
+/// memory before the cells come, but what is left over counts until the mesh is shrunk.
+void reserve_expected(Mesh& mesh, std::size_t n) {
+  constexpr std::array<std::size_t, kMaxDimension + 1> kCells{2, 2, 2, 7, 30, 150, 600, 600, 600};  // a point
+  const Complex& complex = mesh.complex;
+  const auto k = static_cast<std::size_t>(complex.dimension());
+  const std::size_t cells = std::min(kCells[k] * n + 64, complex.nameable_slots() - complex.slot_count());
+  mesh.complex.reserve_more(cells, mesh.sites.size());
+  mesh.scratch.expect_cells(complex.dimension(), complex.slot_count() + cells);
 }
 
 template <int K>
@@ -58,7 +63,7 @@ void keep_hidden_sites(Mesh& mesh) {
 void insert_range(Mesh& mesh, std::size_t first, std::size_t last, const Progress& progress) {
   const int k = mesh.complex.dimension();
   if (k < 0) return;
-  reserve_expected(mesh.complex, last - first, mesh.sites.size());
+  reserve_expected(mesh, k <= 3 ? last - first : 0);  // above, they are too many to promise to a mesh that stays
   mesh.complex.grow_vertices(mesh.sites.size());
   with_dimension(k, [&](auto dimension) { insert_sites<dimension>(mesh, first, last, progress); });
   mesh.statistics.in_turn += last - first;
@@ -67,14 +72,12 @@ void insert_range(Mesh& mesh, std::size_t first, std::size_t last, const Progres
 void insert_first(Mesh& mesh, std::size_t count, const Progress& progress) {
   const int k = mesh.complex.dimension();
   if (k < 0) return;
-  reserve_expected(mesh.complex, mesh.sites.size(), mesh.sites.size());
+  reserve_expected(mesh, mesh.sites.size());
   mesh.complex.grow_vertices(mesh.sites.size());
   with_dimension(k, [&](auto dimension) { make_first_cells<dimension>(mesh); });
   insert_range(mesh, static_cast<std::size_t>(k) + 1, count, progress);
 }
 
-void insert_all(Mesh& mesh, const Progress& progress) {
-  insert_first(mesh, mesh.sites.size(), progress);
-}
+void insert_all(Mesh& mesh, const Progress& progress) { insert_first(mesh, mesh.sites.size(), progress); }
 
 }  // namespace delone

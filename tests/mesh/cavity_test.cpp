@@ -27,8 +27,8 @@ using namespace test;
 
 /// Conflict by definition, one cell at a time: a ghost cell when q is beyond its facet, or in line with it and in
 /// conflict with the cell behind.
-template <int K>
-bool conflicts(const Complex& complex, Kernel<K>& kernel, CellId c, VertexId q) {
+template <int K, class C>
+bool conflicts(const C& complex, Kernel<K>& kernel, CellId c, VertexId q) {
   typename Kernel<K>::Cell v;
   int ghost = -1;
   for (int i = 0; i <= K; ++i) {
@@ -41,7 +41,7 @@ bool conflicts(const Complex& complex, Kernel<K>& kernel, CellId c, VertexId q) 
   }
   v[static_cast<std::size_t>(ghost)] = q;
   if (const int side = kernel.exact_orient(v); side != 0) return side > 0;
-  return conflicts(complex, kernel, complex.cell(complex.twin(c, ghost)), q);
+  return conflicts<K>(complex, kernel, complex.cell(complex.twin(c, ghost)), q);
 }
 
 TEST(Cavity, is_every_cell_in_conflict_and_no_other) {
@@ -119,6 +119,40 @@ TEST(Cavity, what_hyperplanes_see_belongs_to_those_that_are_kept) {
         EXPECT_EQ(scratch.sights[b].outside.bound, out.bound) << points.name;
       }
     });
+  }
+}
+
+TEST(Cavity, lists_no_cell_twice) {
+  std::size_t largest = 0;
+  for (const PointSet& points : {uniform(4, 200, 1), lattice(4, 120, 4, 2)}) {
+    watch_insertions<4>(points, [&](ComplexView<4> complex, Kernel<4>&, Scratch& scratch, VertexId) {
+      std::set<Index> cells;
+      std::set<Index> facets;
+      for (const FacetId f : scratch.cavity) cells.insert(raw(complex.cell(f)));
+      for (const FacetId f : scratch.boundary) facets.insert(raw(f));
+      EXPECT_EQ(cells.size(), scratch.cavity.size()) << points.name;
+      EXPECT_EQ(facets.size(), scratch.boundary.size()) << points.name;
+      largest = std::max(largest, cells.size());
+    });
+  }
+  EXPECT_GT(largest, 64U);  // several times as many as are searched together
+}
+
+TEST(Descend, where_it_is_sure_it_has_found_a_conflict) {
+  for (const PointSet& points : {uniform(4, 150, 1), cospherical(4, 60, 2), lattice(4, 100, 3, 3)}) {
+    std::size_t walks = 0;
+    std::size_t arrived = 0;
+    watch_insertions<4>(points, [&](ComplexView<4> complex, Kernel<4>& kernel, Scratch& scratch, VertexId q) {
+      for (VertexId next{raw(q) + 1}; raw(next) < points.size(); next = VertexId{raw(next) + 5}) {
+        WalkStats stats;
+        const CellId end = descend(complex, kernel, scratch, next, scratch.created.front(), stats);
+        ++walks;
+        if (!kernel.sight(scratch.plane<4>(end), next).surely_below()) continue;
+        ++arrived;
+        EXPECT_TRUE(conflicts<4>(complex, kernel, end, next)) << points.name;
+      }
+    });
+    EXPECT_GT(arrived, walks / 5) << points.name;  // many lie outside or on spheres, where it ends beside a conflict
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "delone/geometry/kernel.hpp"
 #include "delone/mesh/scratch.hpp"
+#include "delone/mesh/walk.hpp"
 #include "delone/topology/complex.hpp"
 
 namespace delone {
@@ -83,6 +84,36 @@ template <int K>
     Sight seen;
     return in_conflict(complex, kernel, scratch, c, q, seen);
   }
+}
+
+/// Above 3D, a walk down to a cell that is surely in conflict with q: the next cell is the one around whose hyperplane
+/// sees q lowest, as far as doubles tell. Where none sees it lower it ends, close to q. It never circles.
+/// @param start  any live cell with a site of the scratch's territory; kNoCell when the walk would leave that
+template <int K>
+CellId descend(const ComplexView<K>& complex, const Kernel<K>& kernel, Scratch& scratch, VertexId q, CellId start,
+               WalkStats& stats) {
+  const auto sight = [&](CellId c) { return kernel.sight(scratch.plane<K>(c), q); };
+  CellId c = start;
+  for (Sight lowest = sight(c); !lowest.surely_below();) {
+    int way = complex.ghost_slot(c);
+    if (way >= 0) {
+      lowest = sight(complex.cell(complex.twin(c, way)));
+    } else {
+      for (int i = 0; i <= K; ++i) {
+        const CellId across = complex.cell(complex.twin(c, i));
+        const Sight seen = sight(across);
+        if (!(seen.value < lowest.value)) continue;
+        if (complex.is_ghost(across) && !seen.surely_below()) continue;  // a ghost's heights have a unit of their own
+        way = i;
+        lowest = seen;
+      }
+    }
+    if (way < 0) break;
+    if (!scratch.territory.touches(complex.vertices(c), way)) return kNoCell;
+    c = complex.cell(complex.twin(c, way));
+    ++stats.steps;
+  }
+  return c;
 }
 
 /// Keeps the hyperplanes of the star of q just made, whose cavity is still there.

@@ -47,7 +47,7 @@ class Inserter {
   std::optional<Outcome> try_insert(VertexId q, CellId start) {
     reserve();
     WalkStats walked;
-    const CellId c = walk(complex_, kernel_, kernel_.at(q), start, walked, scratch_->territory);
+    const CellId c = locate(q, start, walked);
     mesh_->statistics.walk_steps += walked.steps;
     mesh_->statistics.walk_fallbacks += walked.fallbacks;
     last_ = c;
@@ -91,6 +91,15 @@ class Inserter {
     scratch_->reserve_cells(K, complex_.slot_count());
     scratch_->reserve_vertices(K, mesh_->sites.size());
     if (mesh_->hidden.kept()) mesh_->hidden.reserve(mesh_->sites.size(), complex_.slot_count());
+  }
+
+  /// A cell in conflict with q, or the one that contains it; kNoCell where the way would leave the territory.
+  CellId locate(VertexId q, CellId start, WalkStats& walked) {
+    if constexpr (K > 3) {
+      start = descend(complex_, kernel_, *scratch_, q, start, walked);
+      if (start == kNoCell || kernel_.sight(scratch_->plane<K>(start), q).surely_below()) return start;
+    }
+    return walk(complex_, kernel_, kernel_.at(q), start, walked, scratch_->territory);
   }
 
   VertexId vertex_at_place_of(VertexId q, CellId c) const {

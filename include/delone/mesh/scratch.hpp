@@ -92,7 +92,7 @@ struct RidgeTable {
   Buffer<Bucket> buckets;  ///< a power of two of them
 
   /// For as many facets; no more than half of the places will be taken.
-  void reserve(std::size_t facets) { buckets.resize(std::bit_ceil(facets + 2 * kWidth) / kWidth); }
+  void reserve(std::size_t facets) { buckets.resize(std::bit_ceil(facets) / kWidth); }
   std::size_t memory_bytes() const { return buckets.capacity() * sizeof(Bucket); }
 };
 
@@ -127,6 +127,11 @@ struct Scratch {
   Hyperplane<K>& plane(CellId c) {
     static_assert(sizeof(Hyperplane<K>) == plane_size(K));
     return *reinterpret_cast<Hyperplane<K>*>(planes.data() + raw(c) * plane_size(K));
+  }
+  /// Room for what reserve_cells() will make for as many.
+  void expect_cells(int k, std::size_t slots) {
+    marks.reserve(slots);
+    planes.reserve(slots * plane_size(k));
   }
   /// Marks and hyperplanes for cells below `slots`.
   void reserve_cells(int k, std::size_t slots) {
