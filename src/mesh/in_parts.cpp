@@ -35,7 +35,7 @@ namespace {
 constexpr std::size_t kMostBoxes = 255;
 
 /// Boxes for about as many of some sites each, by cuts through medians, each across the axis on which the middle eighth
-/// of the sites reaches farthest: so few lie near a cut, and sites that lie along one are next cut across it.
+/// of the sites reaches farthest, then the middle half: few lie near a cut, and sites along one are next cut across it.
 template <int K>
 class Boxes {
  public:
@@ -77,9 +77,13 @@ class Boxes {
     };
     const std::size_t lower = sites.size() * (boxes / 2) / boxes;
     if (!sites.empty()) {
-      double widest = -1.0;
+      const auto reach = [&](std::size_t part, std::size_t axis) {  // of the middle one of so many parts
+        const std::size_t half = sites.size() / (2 * part);
+        return nth(sites.size() / 2 + half, axis) * 0.5 - nth(sites.size() / 2 - half, axis) * 0.5;
+      };
+      std::pair widest(-1.0, -1.0);
       for (std::size_t axis = 0; axis < K; ++axis) {
-        const double width = nth(sites.size() * 9 / 16, axis) * 0.5 - nth(sites.size() * 7 / 16, axis) * 0.5;
+        const std::pair width(reach(8, axis), reach(2, axis));
         if (width > widest) nodes_[node].axis = axis;
         widest = std::max(width, widest);
       }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <new>
 
 #include "delone/base/dispatch.hpp"
 #include "delone/mesh/inserter.hpp"
@@ -10,15 +11,20 @@
 namespace delone {
 namespace {
 
-/// Makes room for the cells that n uniform points more make, which is a guess: where ids end, for fewer. It is no
-/// memory before the cells come, but what is left over counts until the mesh is shrunk.
+/// Makes room for n sites more and the cells that they make, if it is to be had: as many as of uniform points, which is
+/// a guess. What is not used is no memory yet, but counts until the mesh is shrunk.
 void reserve_expected(Mesh& mesh, std::size_t n) {
-  constexpr std::array<std::size_t, kMaxDimension + 1> kCells{2, 2, 2, 7, 30, 150, 600, 600, 600};  // a point
-  const Complex& complex = mesh.complex;
+  constexpr std::array<std::size_t, kMaxDimension + 1> kCells{2, 2, 2, 7, 33, 190, 1300, 1300, 1300};  // a point
+  Complex& complex = mesh.complex;
   const auto k = static_cast<std::size_t>(complex.dimension());
-  const std::size_t cells = std::min(kCells[k] * n + 64, complex.nameable_slots() - complex.slot_count());
-  mesh.complex.reserve_more(cells, mesh.sites.size());
-  mesh.scratch.expect_cells(complex.dimension(), complex.slot_count() + cells);
+  const std::size_t nameable = complex.nameable_slots() - complex.slot_count();
+  complex.reserve_more(std::min<std::size_t>(64, nameable), mesh.sites.size());
+  try {
+    const std::size_t cells = std::min(kCells[k] * n + 64, nameable);
+    complex.reserve_more(cells, mesh.sites.size());
+    mesh.scratch.expect_cells(complex.dimension(), complex.slot_count() + cells);
+  } catch (const std::bad_alloc&) {  // it grows as cells come
+  }
 }
 
 template <int K>

@@ -72,30 +72,35 @@ TEST(InParts, any_number_of_threads_makes_the_same) {
   for (const PointSet& points : {uniform(3, 30000, 1), with_random_weights(uniform(3, 30000, 2), 3),
                                  lattice(3, 30000, 40, 4), with_random_weights(uniform(2, 30000, 5), 6)}) {
     const std::uint64_t hash = canonical_hash(build(points.view()));
-    std::uint64_t in_turn = 0;
     for (const int threads : {2, 3, 64}) {
       const AnyTriangulation t = build(points.view(), {.threads = threads});
       EXPECT_EQ(broken_invariant(t), "") << points.name;
       EXPECT_EQ(canonical_hash(t), hash) << points.name << ", " << threads << " threads";
       EXPECT_GT(t.statistics().put_off, 0U) << points.name;
-      in_turn += t.statistics().in_turn;
+      // In the plane these weights leave 262 vertices: every second site is put off, and tried again.
+      EXPECT_LT(t.statistics().in_turn, points.size() * (points.dimension == 2 ? 11 : 9) / 10) << points.name;
     }
-    EXPECT_LT(in_turn, 3 * points.size() * 9 / 10) << points.name;
   }
 }
 
 TEST(InParts, the_numbers_of_cells_depend_on_the_number_of_threads_only) {
-  const PointSet points = uniform(3, 20000, 1);
-  const AnyTriangulation once = build(points.view(), {.threads = 3});
-  const AnyTriangulation again = build(points.view(), {.threads = 3});
-  ASSERT_EQ(once.complex().slot_count(), again.complex().slot_count());
-  for (std::size_t slot = 0; slot < once.complex().slot_count(); ++slot) {
-    const CellId c{static_cast<Index>(slot)};
-    ASSERT_EQ(once.complex().is_live(c), again.complex().is_live(c));
-    for (int i = 0; i < 4 && once.complex().is_live(c); ++i)
-      ASSERT_EQ(once.complex().vertex(c, i), again.complex().vertex(c, i));
-    for (int i = 0; i < 4 && once.complex().is_live(c); ++i)
-      ASSERT_EQ(once.complex().twin(c, i), again.complex().twin(c, i));
+  for (const PointSet& points : {uniform(3, 20000, 1), uniform(4, 4000, 1)}) {
+    const int dimension = points.dimension;
+    const AnyTriangulation once = built_in_parts(points, points.size() / 4, 3, 256);
+    const AnyTriangulation again = built_in_parts(points, points.size() / 4, 3, 256);
+    EXPECT_EQ(canonical_hash(once), canonical_hash(build(points.view()))) << points.name;
+    EXPECT_GT(once.statistics().put_off, 0U) << points.name;
+    EXPECT_LT(once.statistics().put_off, points.size()) << points.name;
+    EXPECT_EQ(once.statistics().put_off, again.statistics().put_off) << points.name;
+    ASSERT_EQ(once.complex().slot_count(), again.complex().slot_count());
+    for (std::size_t slot = 0; slot < once.complex().slot_count(); ++slot) {
+      const CellId c{static_cast<Index>(slot)};
+      ASSERT_EQ(once.complex().is_live(c), again.complex().is_live(c));
+      for (int i = 0; i <= dimension && once.complex().is_live(c); ++i)
+        ASSERT_EQ(once.complex().vertex(c, i), again.complex().vertex(c, i));
+      for (int i = 0; i <= dimension && once.complex().is_live(c); ++i)
+        ASSERT_EQ(once.complex().twin(c, i), again.complex().twin(c, i));
+    }
   }
 }
 

@@ -134,7 +134,6 @@ class Refill {
     if (static_cast<std::size_t>(end_ - next_) < count) [[unlikely]]
       grow(count);
   }
-  void clear() { next_ = buffer_->data(); }
   // These need room.
   void push(T value) { *next_++ = value; }
   /// Without a branch.

@@ -87,31 +87,34 @@ template <int K>
 }
 
 /// Above 3D, a walk down to a cell that is surely in conflict with q: the next cell is the one around whose hyperplane
-/// sees q lowest, as far as doubles tell. Where none sees it lower it ends, close to q. It never circles.
-/// @param start  any live cell with a site of the scratch's territory; kNoCell when the walk would leave that
+/// sees q lowest, as far as doubles tell. Where none is known to see it lower it ends, close to q. It never circles.
+/// @param start  any live cell with a site of the scratch's territory, in which the walk stays
 template <int K>
 CellId descend(const ComplexView<K>& complex, const Kernel<K>& kernel, Scratch& scratch, VertexId q, CellId start,
                WalkStats& stats) {
+  const Territory territory = scratch.territory;
   const auto sight = [&](CellId c) { return kernel.sight(scratch.plane<K>(c), q); };
   CellId c = start;
-  for (Sight lowest = sight(c); !lowest.surely_below();) {
-    int way = complex.ghost_slot(c);
+  for (Sight lowest = sight(c); !lowest.surely_below(); ++stats.steps) {
+    int way = complex.ghost_slot(c);  // only at the start
     if (way >= 0) {
       lowest = sight(complex.cell(complex.twin(c, way)));
     } else {
+      const auto v = complex.vertices(c);
       for (int i = 0; i <= K; ++i) {
+        if (!territory.whole() && !territory.touches(v, i)) continue;  // others may be at work behind it
         const CellId across = complex.cell(complex.twin(c, i));
         const Sight seen = sight(across);
-        if (!(seen.value < lowest.value)) continue;
-        if (complex.is_ghost(across) && !seen.surely_below()) continue;  // a ghost's heights have a unit of their own
+        // Heights of ghosts have a unit of their own. An unknown hyperplane sees all at height 0, without error.
+        if (complex.is_ghost(across) ? !seen.surely_below() : !(seen.value < lowest.value && seen.bound != 0.0))
+          continue;
         way = i;
         lowest = seen;
+        if (lowest.surely_below()) break;
       }
     }
     if (way < 0) break;
-    if (!scratch.territory.touches(complex.vertices(c), way)) return kNoCell;
     c = complex.cell(complex.twin(c, way));
-    ++stats.steps;
   }
   return c;
 }
@@ -135,36 +138,41 @@ bool marks_cells(const Kernel<K>& kernel) {
   return K != 2 || kernel.weighted();
 }
 
-/// Lists what is across the facets of cells `first` to `last` - 1 of a cavity, but for cells known to be in conflict,
-/// and asks memory for what their tests will read.
+/// A facet to whose other side a search in breadth comes.
+struct Candidate {
+  FacetId inside, outside;
+  Index from;  ///< the number of the cell inside in the cavity
+};
+
+/// Lists what is across the facets of a cell of the cavity, its number `from`, but for cells known to be in conflict,
+/// and asks memory for what their tests will read. Returns the end of the list, which has room for K + 1 more.
 template <int K>
-[[gnu::always_inline]] inline void list_neighbours(const ComplexView<K>& complex, const Refill<FacetId>& cavity,
-                                                   std::size_t first, std::size_t last, Scratch& scratch) {
-  Refill candidates(scratch.candidates);
-  candidates.clear();
-  candidates.make_room((last - first) * (K + 1));
-  for (std::size_t n = first; n < last; ++n) {
-    const CellId c = complex.cell(cavity[n]);
-    for (int i = 0; i <= K; ++i) {
-      const FacetId outside = complex.twin(c, i);
-      const CellId across = complex.cell(outside);
-      const bool known = scratch.marks.data()[raw(across)] == Scratch::Mark::conflicting;
-      candidates.push_if(!known, {complex.facet(c, i), outside, static_cast<Index>(n)});
-      if constexpr (K > 3) {
-        const std::byte* const plane = scratch.planes.data() + raw(across) * Scratch::plane_size(K);
-        __builtin_prefetch(plane);
-        __builtin_prefetch(plane + Scratch::plane_size(K) - 1);  // half of them or more lie across two lines
-      }
+[[gnu::always_inline]] inline Candidate* list_neighbours(const ComplexView<K>& complex, const Scratch& scratch,
+                                                         CellId c, std::size_t from, Candidate* end) {
+  for (int i = 0; i <= K; ++i) {
+    const FacetId outside = complex.twin(c, i);
+    const CellId across = complex.cell(outside);
+    *end = {complex.facet(c, i), outside, static_cast<Index>(from)};
+    end += scratch.marks.data()[raw(across)] == Scratch::Mark::conflicting ? 0 : 1;
+    if constexpr (K > 3) {
+      const std::byte* const plane = scratch.planes.data() + raw(across) * Scratch::plane_size(K);
+      __builtin_prefetch(plane);
+      __builtin_prefetch(plane + Scratch::plane_size(K) - 1);  // half of them or more lie across two lines
+    } else {
+      complex.prefetch(across);
     }
   }
+  return end;
 }
 
 /// find_cavity() by a search in breadth: the list is the queue. The neighbours of some cells in turn that are not yet
 /// known to be in conflict are listed first, then tested all, and no branch depends on the outcome of a test or on the
-/// number of neighbours of one cell: nobody can predict either. A cell may be listed by two of these cells.
+/// number of neighbours of one cell: nobody can predict either. A cell may be listed by several of these cells.
 template <int K>
 bool find_cavity_in_breadth(ComplexView<K> complex, Kernel<K>& kernel, VertexId q, CellId start, Scratch& scratch) {
   constexpr std::size_t kTogether = 16;  // fewer: more wrong guesses; more: more cells are tested twice
+  std::array<Candidate, kTogether*(K + 1) + 1> candidates;
+  [[maybe_unused]] std::array<Sight, K <= 3 ? 1 : candidates.size()> outside_sights;  // of theirs
   Refill cavity(scratch.cavity);
   Refill boundary(scratch.boundary);
   Refill sights(scratch.sights);                // of the two cells at a facet of the boundary
@@ -182,16 +190,12 @@ bool find_cavity_in_breadth(ComplexView<K> complex, Kernel<K>& kernel, VertexId 
     inside_sights.push(seen);
   }
   for (std::size_t next = 0; next < cavity.size();) {
-    const std::size_t first = next;
-    next = std::min(cavity.size(), first + kTogether);
-    list_neighbours(complex, cavity, first, next, scratch);
-    if constexpr (K == 3) {
-      for (std::size_t n = first; n < next; ++n) scratch.numbers.add(complex.vertex(cavity[n]), n);
+    Candidate* end = candidates.data();
+    for (const std::size_t last = std::min(cavity.size(), next + kTogether); next < last; ++next) {
+      if constexpr (K == 3) scratch.numbers.add(complex.vertex(cavity[next]), next);
+      end = list_neighbours(complex, scratch, complex.cell(cavity[next]), next, end);
     }
-    const std::size_t count = scratch.candidates.size();
-    if constexpr (K > 3) scratch.outside_sights.resize(count);
-    Sight* const outside_sights = scratch.outside_sights.data();
-    const Candidate* const candidates = scratch.candidates.data();
+    const auto count = static_cast<std::size_t>(end - candidates.data());
     cavity.make_room(count);
     boundary.make_room(count);
     if constexpr (K > 3) {
@@ -209,10 +213,11 @@ bool find_cavity_in_breadth(ComplexView<K> complex, Kernel<K>& kernel, VertexId 
       const bool known = marks[raw(across)] == Scratch::Mark::conflicting;
       bool conflicting = false;
       if constexpr (K <= 3) {
-        conflicting = in_conflict(complex, kernel, scratch, across, q);
+        conflicting = known || in_conflict(complex, kernel, scratch, across, q);
       } else {
         Sight& seen = outside_sights[i];
-        conflicting = kernel.conflict(seen, [&] { return in_conflict(complex, kernel, scratch, across, q, seen); });
+        conflicting =
+            kernel.conflict(seen, [&] { return known || in_conflict(complex, kernel, scratch, across, q, seen); });
       }
       conflicting |= known;
       if constexpr (K > 3) {

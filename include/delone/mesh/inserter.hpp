@@ -96,8 +96,9 @@ class Inserter {
   /// A cell in conflict with q, or the one that contains it; kNoCell where the way would leave the territory.
   CellId locate(VertexId q, CellId start, WalkStats& walked) {
     if constexpr (K > 3) {
-      start = descend(complex_, kernel_, *scratch_, q, start, walked);
-      if (start == kNoCell || kernel_.sight(scratch_->plane<K>(start), q).surely_below()) return start;
+      const CellId end = descend(complex_, kernel_, *scratch_, q, start, walked);
+      if (kernel_.sight(scratch_->plane<K>(end), q).surely_below()) return end;
+      if (!complex_.is_ghost(start)) start = end;  // else q may lie outside, too, not far along the hull
     }
     return walk(complex_, kernel_, kernel_.at(q), start, walked, scratch_->territory);
   }

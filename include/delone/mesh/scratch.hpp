@@ -71,12 +71,6 @@ struct Front {
   double turn;  ///< from left to right
 };
 
-/// In a search in breadth, a facet to whose other side it comes.
-struct Candidate {
-  FacetId inside, outside;
-  Index from;  ///< the number of the cell inside in the cavity
-};
-
 /// Above 3D: how the hyperplanes of the cells at a facet of the cavity's boundary see the new vertex.
 struct FacetSights {
   Sight inside, outside;
@@ -85,7 +79,7 @@ struct FacetSights {
 /// Above 3D: the facets of a new star by the ridges of the cavity's boundary, each of which two of them share.
 struct RidgeTable {
   static constexpr std::size_t kWidth = 4;
-  struct alignas(16) Bucket {
+  struct Bucket {
     std::array<std::uint32_t, kWidth> keys;  ///< 0 behind the last one
     std::array<FacetId, kWidth> facets;      ///< the last ones met
   };
@@ -100,24 +94,22 @@ struct Scratch {
   // A type of its own, not a character type: a store of one may change no other number, and the compiler knows.
   enum class Mark : std::uint8_t { none, conflicting };
 
-  Territory territory;           ///< what an insertion may change
-  Buffer<Mark> marks;            ///< per cell slot; all `none` between insertions
-  Buffer<FacetId> cavity;        ///< of every cell in conflict a facet: the one that the search entered it by
-  Buffer<Front> fronts;          ///< of a search in depth
-  Buffer<Candidate> candidates;  ///< of a search in breadth
-  Buffer<FacetId> boundary;      ///< facets between the cavity and what stays, seen from inside
-  Buffer<CellId> created;        ///< the star, in the order of `boundary`
-  Buffer<VertexId> swallowed;    ///< vertices whose whole star lay in the cavity, with weights
-  Buffer<VertexId> displaced;    ///< hidden sites of cells that go, where they are known
-  Buffer<CellId> removed;        ///< the cells of the cavity, when somebody asked for them
+  Territory territory;         ///< what an insertion may change
+  Buffer<Mark> marks;          ///< per cell slot; all `none` between insertions
+  Buffer<FacetId> cavity;      ///< of every cell in conflict a facet: the one that the search entered it by
+  Buffer<Front> fronts;        ///< of a search in depth
+  Buffer<FacetId> boundary;    ///< facets between the cavity and what stays, seen from inside
+  Buffer<CellId> created;      ///< the star, in the order of `boundary`
+  Buffer<VertexId> swallowed;  ///< vertices whose whole star lay in the cavity, with weights
+  Buffer<VertexId> displaced;  ///< hidden sites of cells that go, where they are known
+  Buffer<CellId> removed;      ///< the cells of the cavity, when somebody asked for them
   CavityNumbers numbers;
   Buffer<EdgeTable> edges;  ///< one in 3D, else none: it is large, and a mesh is moved
   RidgeTable ridges;
   Hole hole;
-  Buffer<std::byte> planes;      ///< above 3D, per cell slot a Hyperplane; zero where it is not known
-  Buffer<Sight> inside_sights;   ///< above 3D, how those of the cavity see the new vertex
-  Buffer<Sight> outside_sights;  ///< how those of the candidates do
-  Buffer<FacetSights> sights;    ///< and those of the two cells at each facet of `boundary`
+  Buffer<std::byte> planes;     ///< above 3D, per cell slot a Hyperplane; zero where it is not known
+  Buffer<Sight> inside_sights;  ///< above 3D, how those of the cavity see the new vertex
+  Buffer<FacetSights> sights;   ///< and those of the two cells at each facet of `boundary`
 
   /// Of the hyperplane of a cell of dimension k; none are kept where a test from coordinates is as fast.
   static constexpr std::size_t plane_size(int k) {
@@ -128,20 +120,22 @@ struct Scratch {
     static_assert(sizeof(Hyperplane<K>) == plane_size(K));
     return *reinterpret_cast<Hyperplane<K>*>(planes.data() + raw(c) * plane_size(K));
   }
-  /// Room for what reserve_cells() will make for as many.
-  void expect_cells(int k, std::size_t slots) {
-    marks.reserve(slots);
-    planes.reserve(slots * plane_size(k));
-  }
   /// Marks and hyperplanes for cells below `slots`.
   void reserve_cells(int k, std::size_t slots) {
     if (slots <= marks.size()) return;
-    slots += slots / 16;  // no more: fresh memory takes its time when it is first written
+    slots = with_spare(slots);
     marks.reserve_more(slots - marks.size());
     planes.reserve(marks.capacity() * plane_size(k));
     planes.resize(slots * plane_size(k), std::byte{0});
     marks.resize(slots, Mark::none);
   }
+  /// Room for what reserve_cells() will make for as many.
+  void expect_cells(int k, std::size_t slots) {
+    marks.reserve(with_spare(slots));
+    planes.reserve(with_spare(slots) * plane_size(k));
+  }
+  /// Some more, but few: fresh memory takes its time when it is first written.
+  static constexpr std::size_t with_spare(std::size_t slots) { return slots + slots / 16; }
   /// For searches among vertices below `vertices`.
   void reserve_vertices(int k, std::size_t vertices) {
     if (k != 3) return;
@@ -157,10 +151,9 @@ struct Scratch {
   }
   std::size_t memory_bytes() const {
     return hole.memory_bytes() + marks.capacity() + numbers.number.capacity() * sizeof(Index) +
-           edges.capacity() * sizeof(EdgeTable) + planes.capacity() +
-           (inside_sights.capacity() + outside_sights.capacity()) * sizeof(Sight) +
+           edges.capacity() * sizeof(EdgeTable) + planes.capacity() + inside_sights.capacity() * sizeof(Sight) +
            sights.capacity() * sizeof(FacetSights) + ridges.memory_bytes() + fronts.capacity() * sizeof(Front) +
-           candidates.capacity() * sizeof(Candidate) + (cavity.capacity() + boundary.capacity()) * sizeof(FacetId) +
+           (cavity.capacity() + boundary.capacity()) * sizeof(FacetId) +
            (swallowed.capacity() + displaced.capacity()) * sizeof(VertexId) +
            (created.capacity() + removed.capacity()) * sizeof(CellId);
   }

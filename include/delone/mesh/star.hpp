@@ -119,16 +119,15 @@ inline std::uint64_t name(VertexId v) {
 
 /// A bit for each place of a bucket with this key or none, so that the lowest is the key's.
 inline unsigned places_for(const RidgeTable::Bucket& bucket, std::uint32_t key) {
-#ifdef __SSE2__  // a third of the instructions
-  const __m128i keys = _mm_load_si128(reinterpret_cast<const __m128i*>(bucket.keys.data()));
-  const __m128i same = _mm_cmpeq_epi32(keys, _mm_set1_epi32(static_cast<int>(key)));
-  const __m128i none = _mm_cmpeq_epi32(keys, _mm_setzero_si128());
-  return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(_mm_or_si128(same, none))));
+  using Keys = std::uint32_t __attribute__((vector_size(sizeof bucket.keys)));
+  Keys keys;
+  std::memcpy(&keys, bucket.keys.data(), sizeof keys);
+  const auto places = (keys == key) | (keys == 0);
+#ifdef __SSE2__
+  return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(places)));
 #else
-  unsigned places = 0;
-  for (unsigned i = 0; i < RidgeTable::kWidth; ++i)
-    places |= (std::min(bucket.keys[i], bucket.keys[i] ^ key) == 0 ? 1U : 0U) << i;
-  return places;
+  const auto bits = places & Keys{1, 2, 4, 8};
+  return static_cast<unsigned>(bits[0] | bits[1] | bits[2] | bits[3]);
 #endif
 }
 
