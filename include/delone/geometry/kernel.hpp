@@ -105,7 +105,6 @@ struct Hyperplane {
 /// How far above a hyperplane a site lies, in units of `height` above, and a bound on the error of that.
 struct Sight {
   double value, bound;
-
   bool surely_below() const { return value < -bound; }
 };
 
