@@ -1,9 +1,6 @@
-// Source: [For92] 4.6 and [GS85] section 9 (two triangulations with a line between them are knit together from their
-// lower common tangent upwards); [Dwyer87] (cuts across alternating axes, so that parts stay square and seams short).
-// Departures: cells instead of edges, with ghost cells along the hull as everywhere here: a ghost cell of the seam
-// becomes the cell that is knit, an edge is deleted by a flip that makes two ghost cells, and a merge creates two
-// cells. Cuts come with the order of the sites: those of the boxes that Hilbert's curve goes through, or of strips, not
-// halves of equal number.
+// Source: [For92] 4.6 and [GS85] section 9; [Dwyer87] (cuts across alternating axes, so that parts stay square and
+// seams short). Departures: cuts come with the order of the sites: those of the boxes that Hilbert's curve goes
+// through, or of strips, not halves of equal number. Boxes may hold rows, which are knit from one end to the other.
 //
 // Heights are perturbed by coordinates alone, so each part is the canonical triangulation of its sites.
 #include "mesh/divide_conquer.hpp"
@@ -11,271 +8,20 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
+#include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/chunks.hpp"
-#include "delone/base/buffer.hpp"
-#include "delone/geometry/kernel.hpp"
-#include "delone/mesh/inserter.hpp"
 #include "delone/order/brio.hpp"
-#include "delone/topology/complex.hpp"
+#include "mesh/knitter.hpp"
 
 namespace delone {
 namespace {
-
-/// A triangulation of some sites, known by its outermost vertices: by x and then y, and by y and then x. Each site that
-/// repeats no other one comes with two cells of the complex; those of the last site of a part stay unused.
-struct Part {
-  VertexId left, right, bottom, top;
-  CellId last;  ///< the first of these two
-};
-
-/// Knits parts together. The sides of a seam are called left and right whatever the axis of the cut: nothing but the
-/// choice of the first two vertices knows of axes.
-class Knitter {
-  using View = ComplexView<2>;
-  using Triangle = Kernel<2>::Cell;
-
- public:
-  /// @param hull  per site, see hull_; set by single()
-  Knitter(Mesh& mesh, Buffer<CellId>& hull) : complex_(mesh.complex), kernel_(mesh.sites), hull_(hull.data()) {}
-
-  /// The part of one site, with its two cells.
-  Part single(VertexId v, CellId last) {
-    hull_[raw(v)] = kNoCell;
-    return {v, v, v, v, last};
-  }
-
-  /// One part from two that a line across an axis separates; the sites of b follow those of a.
-  Part merge(const Part& a, const Part& b) {
-    spare_ = a.last;
-    if (x(a.right) < x(b.left)) return beside(a, b, b.last);
-    if (x(b.right) < x(a.left)) return beside(b, a, b.last);
-    return y(a.top) < y(b.bottom) ? above(a, b, b.last) : above(b, a, b.last);
-  }
-
-  void add_to(BuildStatistics& statistics) const {
-    statistics.predicates += kernel_.stats();
-    statistics.cells_created += cells_made_;
-  }
-
- private:
-  // The slots of a ghost cell on a hull edge, which leads counter-clockwise from its tail to its head: the ghost stands
-  // last (I4). Opposite the head is the ghost cell on the edge before, opposite the tail that on the edge after.
-  static constexpr int kHead = 0;
-  static constexpr int kTail = 1;
-  static constexpr int kGhostSlot = 2;
-
-  /// One side of a seam. Its next hull edge upwards leads from `end` to the candidate for the third corner of the next
-  /// cell.
-  template <bool Left>
-  struct Bank {
-    static constexpr int kCandidate = Left ? kHead : kTail;  ///< slots of the ghost cell on that edge
-    static constexpr int kEnd = Left ? kTail : kHead;
-    /// The same vertices in the cell inside the edge: so many slots after its third one.
-    static constexpr int kCandidateTurn = Left ? 2 : 1;
-    static constexpr int kEndTurn = Left ? 1 : 2;
-
-    VertexId end;
-    bool alone;                     ///< `end` is the whole part: there is no such edge
-    CellId open;                    ///< the ghost cell on it; opposite the candidate it is linked to what lies below
-    FacetId inner;                  ///< the edge, seen from the cell inside
-    VertexId candidate;             ///< this and what follows is known once look() and see() were called
-    VertexId beyond;                ///< the corner that would be the candidate if the edge to this one went
-    Ray candidate_ray, beyond_ray;  ///< as the left end sees them
-    double turn;                    ///< from the right end to the candidate
-
-    Bank(VertexId v, CellId hull) : end(v), alone(hull == kNoCell), open(hull) {}
-  };
-
-  double x(VertexId v) const { return kernel_.at(v)[0]; }
-  double y(VertexId v) const { return kernel_.at(v)[1]; }
-  // Without branches: which of two vertices comes first nobody can predict.
-  bool x_before(VertexId a, VertexId b) const {
-    return static_cast<int>(x(a) < x(b)) | (static_cast<int>(x(a) == x(b)) & static_cast<int>(y(a) < y(b)));
-  }
-  bool y_before(VertexId a, VertexId b) const {
-    return static_cast<int>(y(a) < y(b)) | (static_cast<int>(y(a) == y(b)) & static_cast<int>(x(a) < x(b)));
-  }
-
-  Part beside(const Part& left, const Part& right, CellId last) {
-    knit(left.right, right.left);
-    return {left.left, right.right, y_before(left.bottom, right.bottom) ? left.bottom : right.bottom,
-            y_before(left.top, right.top) ? right.top : left.top, last};
-  }
-  Part above(const Part& lower, const Part& upper, CellId last) {
-    knit(lower.top, upper.bottom);
-    return {x_before(lower.left, upper.left) ? lower.left : upper.left,
-            x_before(lower.right, upper.right) ? upper.right : lower.right, lower.bottom, upper.top, last};
-  }
-
-  /// Knits two parts, from vertices that face each other across the line between them.
-  void knit(VertexId left_start, VertexId right_start) {
-    Bank<true> left(left_start, hull_[raw(left_start)]);
-    Bank<false> right(right_start, hull_[raw(right_start)]);
-    if (!right.alone) right.open = above(right);
-    while (descend(left, left.end, right.end) || descend(right, left.end, right.end)) {
-    }
-
-    const CellId bottom = spare_;
-    complex_.set_vertices(bottom, {right.end, left.end, kGhost});
-    close(left, bottom);
-    close(right, bottom);
-    hull_[raw(left.end)] = bottom;
-    FacetId base = View::facet(bottom, kGhostSlot);
-    look(left);
-    look(right);
-    see(left, left.end);
-    see(right, left.end);
-    for (;;) {
-      const Ray across = kernel_.ray(right.end, left.end);
-      const bool left_on = choose(left, left.end, right.end, across);
-      const bool right_on = choose(right, left.end, right.end, across);
-      if (!left_on && !right_on) break;
-      if (left_on &&
-          !(right_on && inside(left.end, right.end, across, left, right.candidate, right.candidate_ray, right.turn))) {
-        base = attach(left, right.end, base);
-        see(left, left.end);
-      } else {
-        base = attach(right, left.end, base);
-      }
-      see(right, left.end);
-    }
-    const CellId top{raw(spare_) + 1};
-    complex_.set_vertices(top, {left.end, right.end, kGhost});
-    complex_.link(View::facet(top, kHead), View::facet(right.open, right.kCandidate));
-    complex_.link(View::facet(top, kTail), View::facet(left.open, left.kCandidate));
-    complex_.link(View::facet(top, kGhostSlot), base);
-    hull_[raw(left.end)] = left.open;
-    hull_[raw(right.end)] = top;
-    cells_made_ += 2;
-  }
-
-  /// The ghost cells on the next edges down and up a hull.
-  template <bool Left>
-  CellId below(const Bank<Left>& bank) const {
-    return View::cell(complex_.twin(bank.open, bank.kCandidate));
-  }
-  template <bool Left>
-  CellId above(const Bank<Left>& bank) const {
-    return View::cell(complex_.twin(bank.open, bank.kEnd));
-  }
-
-  /// Moves the end of a bank down its hull if the next vertex lies below the line through both ends.
-  template <bool Left>
-  bool descend(Bank<Left>& bank, VertexId left, VertexId right) {
-    if (bank.alone) return false;
-    const CellId next = below(bank);
-    const VertexId v = complex_.vertex(next, bank.kEnd);
-    if (kernel_.orient({left, right, v}) >= 0) return false;
-    bank.end = v;
-    bank.open = next;
-    return true;
-  }
-
-  /// Links the ghost cell below the seam to the hull of one side; a vertex alone has no hull and stays open upwards.
-  template <bool Left>
-  void close(Bank<Left>& bank, CellId bottom) {
-    if (bank.alone) {
-      bank.open = bottom;
-    } else {
-      complex_.link(View::facet(bottom, bank.kCandidate), View::facet(below(bank), bank.kEnd));
-    }
-  }
-
-  /// Finds the two vertices of a bank that may come next.
-  template <bool Left>
-  void look(Bank<Left>& bank) {
-    if (bank.alone) return;
-    bank.candidate = complex_.vertex(bank.open, bank.kCandidate);
-    bank.inner = complex_.twin(bank.open, kGhostSlot);
-    bank.beyond = complex_.vertex(bank.inner);
-  }
-  /// How the left end sees them.
-  template <bool Left>
-  void see(Bank<Left>& bank, VertexId left) {
-    if (bank.alone) return;
-    bank.candidate_ray = kernel_.ray(bank.candidate, left);
-    if (bank.beyond != kGhost) bank.beyond_ray = kernel_.ray(bank.beyond, left);
-  }
-
-  /// Makes the candidate of a bank the corner of the cell on the base that no vertex of its side is in conflict with:
-  /// edges in its way are deleted. False when nothing of this side is above the base.
-  template <bool Left>
-  bool choose(Bank<Left>& bank, VertexId left, VertexId right, const Ray& across) {
-    if (bank.alone) return false;
-    bank.turn = across.turn(bank.candidate_ray);
-    if (kernel_.orient_seen(across, bank.candidate_ray, bank.turn, [&] {
-          return Triangle{left, right, bank.candidate};
-        }) <= 0)
-      return false;
-    while (bank.beyond != kGhost) {
-      const double turn = across.turn(bank.beyond_ray);
-      if (!inside(left, right, across, bank, bank.beyond, bank.beyond_ray, turn)) return true;
-      delete_edge(bank);
-      bank.candidate_ray = bank.beyond_ray;
-      bank.turn = turn;
-      if (bank.beyond != kGhost) bank.beyond_ray = kernel_.ray(bank.beyond, left);
-    }
-    return true;
-  }
-
-  /// The edge between end and candidate goes; the cell inside becomes the ghost cell on its upper edge.
-  template <bool Left>
-  void delete_edge(Bank<Left>& bank) {
-    constexpr int kCandidate = Bank<Left>::kCandidate;
-    constexpr int kEnd = Bank<Left>::kEnd;
-    const CellId open = bank.open;
-    const CellId upper = View::cell(bank.inner);
-    const int slot = View::slot(bank.inner);
-    const FacetId lower_edge = complex_.twin(upper, View::turned(slot, Bank<Left>::kCandidateTurn));
-    const FacetId upper_edge = complex_.twin(upper, View::turned(slot, Bank<Left>::kEndTurn));
-    const CellId next = above(bank);
-    complex_.set_vertex(upper, kCandidate, bank.candidate);
-    complex_.set_vertex(upper, kEnd, bank.beyond);
-    complex_.set_vertex(upper, kGhostSlot, kGhost);
-    complex_.set_vertex(open, kCandidate, bank.beyond);
-    complex_.link(View::facet(upper, kEnd), View::facet(next, kCandidate));
-    complex_.link(View::facet(upper, kCandidate), View::facet(open, kEnd));
-    complex_.link(View::facet(upper, kGhostSlot), upper_edge);
-    complex_.link(View::facet(open, kGhostSlot), lower_edge);
-    cells_made_ += 2;
-    bank.candidate = bank.beyond;
-    bank.inner = lower_edge;
-    bank.beyond = complex_.vertex(lower_edge);
-  }
-
-  /// Whether q lies in the circle through the ends and the candidate of a bank.
-  template <bool Left>
-  bool inside(VertexId left, VertexId right, const Ray& across, const Bank<Left>& bank, VertexId q, const Ray& ray,
-              double turn) {
-    return kernel_.conflict_seen(across, bank.candidate_ray, ray, bank.turn, bank.candidate_ray.turn(ray), turn, q,
-                                 [&] {
-                                   return Triangle{left, right, bank.candidate};
-                                 });
-  }
-
-  /// The ghost cell of a bank becomes the cell on the base. Returns the new base.
-  template <bool Left>
-  FacetId attach(Bank<Left>& bank, VertexId other_end, FacetId base) {
-    const CellId made = bank.open;
-    complex_.set_vertex(made, kGhostSlot, other_end);
-    complex_.link(View::facet(made, bank.kCandidate), base);
-    bank.end = bank.candidate;
-    bank.open = above(bank);
-    look(bank);
-    ++cells_made_;
-    return View::facet(made, bank.kEnd);
-  }
-
-  View complex_;
-  Kernel<2> kernel_;
-  CellId* hull_;    ///< per hull vertex the ghost cell on the edge that leaves it; kNoCell for a vertex alone
-  CellId spare_{};  ///< two cells that the next merge may use
-  std::uint64_t cells_made_ = 0;
-};
 
 /// A part, and the depth of the cut before it: of two cuts the deeper one is mended first.
 struct CutPart {
@@ -314,16 +60,18 @@ struct Piece {
   std::size_t begin, end, rank;
 };
 
-/// Boxes or strips of up to `most` sites, or of one place.
-std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut, std::size_t most) {
+/// The boxes or strips of `whole` that are small enough, or of one place.
+template <class F>
+std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut, const Piece& whole, const F& small_enough) {
   std::vector<Piece> done;
-  std::vector<Piece> open{{0, cut.size(), 0}};
-  std::size_t rank = 0;
+  std::vector<Piece> open{whole};
+  std::size_t rank = whole.rank;
   while (!open.empty()) {
     const Piece piece = open.back();
     open.pop_back();
     const auto inner = cut.subspan(piece.begin + 1, piece.end - piece.begin - 1);
-    const std::uint16_t least_deep = inner.size() < most ? CurveCuts::kSamePlace : std::ranges::min(inner);
+    const bool whole_piece = inner.empty() || small_enough(piece);
+    const std::uint16_t least_deep = whole_piece ? CurveCuts::kSamePlace : std::ranges::min(inner);
     if (least_deep == CurveCuts::kSamePlace) {
       done.push_back({piece.begin, piece.end, rank});
       rank += piece.end - piece.begin - static_cast<std::size_t>(std::ranges::count(inner, CurveCuts::kSamePlace));
@@ -336,6 +84,148 @@ std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut, std::size_t mos
   }
   return done;
 }
+
+/// The axis along which the sites of a box lie in a row, as far as eight of them tell: they stay as close to a line as
+/// a sixteenth of its length.
+std::optional<int> row_axis(const Sites& sites, const Piece& box) {
+  std::array<const double*, 8> x;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] = sites.leading() + 2 * (box.begin + (box.end - box.begin - 1) * i / (x.size() - 1));
+  }
+  std::array<std::pair<const double*, const double*>, 2> ends;
+  std::array<double, 2> length;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto [least, most] = std::ranges::minmax_element(x, {}, [&](const double* p) { return p[axis]; });
+    ends[axis] = {*least, *most};
+    length[axis] = (*most)[axis] - (*least)[axis];
+  }
+  const int axis = length[0] >= length[1] ? 0 : 1;
+  const auto [from, to] = ends[static_cast<std::size_t>(axis)];
+  const Pair along{to[0] - from[0], to[1] - from[1]};
+  const double most = (along[0] * along[0] + along[1] * along[1]) / 16.0;
+  const bool close = std::ranges::all_of(
+      x, [&](const double* p) { return std::abs(along[0] * (p[1] - from[1]) - along[1] * (p[0] - from[0])) <= most; });
+  return close ? std::optional(axis) : std::nullopt;
+}
+
+/// A piece of a curve, triangulated alone, is a fan but for details: all see the end where it bends most, or least. Of
+/// two halves of it one is knit in vain. So what lies in a row is knit from that end to the other, one fan after the
+/// next. Where this makes many cells another row begins; rows are merged two by two, then.
+Part knit_row(Knitter& knitter, std::span<VertexId> row, CellId first) {
+  constexpr std::uint64_t kMany = 8;  // for each site; 5 are usual
+  constexpr std::uint64_t kSlack = 64;
+  if (!knitter.fan_from_front(row)) std::ranges::reverse(row);
+  const auto fan_at = [&](std::size_t i) {
+    return knitter.fan(row.subspan(i), CellId{raw(first) + static_cast<Index>(2 * i)});
+  };
+  Mender mender(knitter);
+  std::size_t end = 0;
+  for (std::size_t number = 0; end < row.size(); ++number) {
+    const std::size_t begin = end;
+    const std::uint64_t made = knitter.cells_made();
+    auto [part, size] = fan_at(begin);
+    end += size;
+    while (end < row.size() && knitter.cells_made() - made < kMany * (end - begin) + kSlack) {
+      const Knitter::Fan next = fan_at(end);
+      part = knitter.merge(part, next.part);
+      end += next.size;
+    }
+    mender.add({part, static_cast<std::uint16_t>(64 - std::countr_zero(number))});
+  }
+  return mender.finish().part;
+}
+
+/// Triangulates pieces, each for itself.
+class PieceWork {
+ public:
+  PieceWork(Mesh& mesh, Buffer<CellId>& hull, std::span<const std::uint16_t> cut)
+      : sites_(mesh.sites), cut_(cut), knitter_(mesh, hull), mender_(knitter_) {}
+
+  CutPart whole(const Piece& piece) {
+    add_one_by_one(piece);
+    return mender_.finish();
+  }
+  /// The same where boxes may hold rows.
+  CutPart by_rows(const Piece& piece) {
+    const auto is_small = [](const Piece& box) { return box.end - box.begin <= 32; };
+    const auto stays_whole = [&](const Piece& box) { return is_small(box) || row_axis(sites_, box); };
+    for (const Piece& box : pieces_of(cut_, piece, stays_whole)) {
+      if (is_small(box) || !add_row(box)) add_one_by_one(box);
+    }
+    return mender_.finish();
+  }
+  void add_to(BuildStatistics& statistics) const { knitter_.add_to(statistics); }
+
+ private:
+  template <class F>
+  void for_each_place(const Piece& box, const F& visit) const {
+    for (std::size_t i = box.begin; i < box.end; ++i) {
+      if (i == box.begin || cut_[i] != CurveCuts::kSamePlace) visit(VertexId{static_cast<Index>(i)});
+    }
+  }
+  void add_one_by_one(const Piece& box) {
+    std::size_t rank = box.rank;
+    for_each_place(box, [&](VertexId v) {
+      mender_.add({knitter_.single(v, CellId{static_cast<Index>(2 * rank++)}), cut_[raw(v)]});
+    });
+  }
+  /// False, and nothing is done, when the box is no row, or two sites are alike on its axis.
+  bool add_row(const Piece& box) {
+    const std::optional<int> axis = row_axis(sites_, box);
+    if (!axis) return false;
+    row_.clear();
+    for_each_place(box, [&](VertexId v) { row_.push_back(v); });
+    const auto place = [&](VertexId v) { return sites_.leading()[2 * raw(v) + static_cast<std::size_t>(*axis)]; };
+    sort_row(place);
+    if (std::ranges::adjacent_find(row_, {}, place) != row_.end()) return false;
+    mender_.add({knit_row(knitter_, row_, CellId{static_cast<Index>(2 * box.rank)}), cut_[box.begin]});
+    return true;
+  }
+  template <class F>
+  void sort_row(const F& place) {
+    if (!spread_row(place)) {
+      std::ranges::sort(row_, {}, place);
+      return;
+    }
+    for (auto next = row_.begin() + 1; next != row_.end(); ++next) {
+      const VertexId v = *next;
+      auto to = next;
+      for (; to != row_.begin() && place(*(to - 1)) > place(v); --to) *to = *(to - 1);
+      *to = v;
+    }
+  }
+  /// Sites of a row are mostly spread so evenly that division tells each about where it belongs. False, and nothing is
+  /// done, when many would go to one place.
+  template <class F>
+  bool spread_row(const F& place) {
+    constexpr Index kMany = 16;
+    double least = place(row_.front());
+    double most = least;
+    for (const VertexId v : row_) {
+      least = std::min(least, place(v));
+      most = std::max(most, place(v));
+    }
+    const double scale = static_cast<double>(row_.size() - 1) / (most - least);
+    if (!(scale > 0.0 && std::isfinite(scale))) return false;
+    const auto bucket = [&](VertexId v) { return static_cast<std::size_t>((place(v) - least) * scale); };
+    bucket_end_.assign(row_.size() + 1, 0);
+    Index fullest = 0;
+    for (const VertexId v : row_) fullest = std::max(fullest, ++bucket_end_[bucket(v) + 1]);
+    if (fullest > kMany) return false;
+    std::inclusive_scan(bucket_end_.begin(), bucket_end_.end(), bucket_end_.begin());
+    sorted_.resize(row_.size());
+    for (const VertexId v : row_) sorted_[bucket_end_[bucket(v)]++] = v;
+    row_.swap(sorted_);
+    return true;
+  }
+
+  const Sites& sites_;
+  std::span<const std::uint16_t> cut_;
+  Knitter knitter_;
+  Mender mender_;
+  std::vector<VertexId> row_, sorted_;
+  std::vector<Index> bucket_end_;
+};
 
 /// Finds an incident cell for every vertex: the last that has it of the cells with the numbers of its own piece; where
 /// seams have left it none of these, the first of all. Returns how many cells are ghosts.
@@ -390,8 +280,8 @@ std::size_t set_duplicates_aside(Mesh& mesh, std::span<const std::uint16_t> cut)
 
 }  // namespace
 
-void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, int threads, const Progress& progress,
-                        std::size_t piece) {
+void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, bool in_rows, int threads,
+                        const Progress& progress, std::size_t piece) {
   const std::size_t n = mesh.sites.size();
   mesh.vertex_count = set_duplicates_aside(mesh, cut);
   mesh.complex.reserve_more(2 * mesh.vertex_count - 2, n);
@@ -401,20 +291,14 @@ void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, int thre
   Buffer<CellId> hull;
   hull.resize(n);
 
-  const std::vector<Piece> pieces = pieces_of(cut, piece);
+  const std::vector<Piece> pieces =
+      pieces_of(cut, {0, n, 0}, [&](const Piece& box) { return box.end - box.begin <= piece; });
   std::vector<CutPart> parts(pieces.size());
   std::vector<BuildStatistics> counts(pieces.size());
   const auto triangulate_piece = [&](std::size_t, std::size_t, std::size_t p) {
-    Knitter knitter(mesh, hull);
-    Mender mender(knitter);
-    std::size_t rank = pieces[p].rank;
-    for (std::size_t i = pieces[p].begin; i < pieces[p].end; ++i) {
-      if (i > pieces[p].begin && cut[i] == CurveCuts::kSamePlace) continue;
-      const VertexId v{static_cast<Index>(i)};
-      mender.add({knitter.single(v, CellId{static_cast<Index>(2 * rank++)}), cut[i]});
-    }
-    parts[p] = mender.finish();
-    knitter.add_to(counts[p]);
+    PieceWork work(mesh, hull, cut);
+    parts[p] = in_rows ? work.by_rows(pieces[p]) : work.whole(pieces[p]);
+    work.add_to(counts[p]);
   };
   for_chunks(pieces.size(), threads, triangulate_piece, progress, 1);
 

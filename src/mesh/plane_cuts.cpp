@@ -24,31 +24,31 @@ std::vector<double> sample_of(PointsView points, std::size_t count) {
   return sample;
 }
 
-/// Cells that divide and conquer along these cuts makes for each point.
-double cells_made(PointsView points, const Flat& flat, const CurveCuts& cuts) {
+/// Cells that divide and conquer makes for each point.
+double cells_made(PointsView points, const Flat& flat, const PlaneCuts& cuts) {
   const Mesh mesh = triangulate_plane(points, flat, cuts, 1, {});
   return static_cast<double>(mesh.statistics.cells_created) / static_cast<double>(points.size());
 }
 
 }  // namespace
 
-CurveCuts plane_cuts(PointsView points, const Flat& flat, int threads) {
+PlaneCuts plane_cuts(PointsView points, const Flat& flat, int threads) {
   constexpr std::size_t kLeast = 256;  // of a sample
   constexpr std::size_t kMost = 2048;
   constexpr double kUsual = 9.0;  // cells a point; boxes make 7 where points fill an area
   constexpr double kWorthwhile = 0.7;
   const std::span<const int> axes(flat.axes.data(), 2);
   const std::size_t count = std::min(points.size() / 64, kMost);
-  if (count < kLeast) return curve_cuts(points, axes, threads);
+  if (count < kLeast) return {curve_cuts(points, axes, threads)};
   const std::vector<double> coordinates = sample_of(points, count);
   const PointsView sample(coordinates, points.dimension());
-  const double by_boxes = cells_made(sample, flat, curve_cuts(sample, axes));
-  if (by_boxes < kUsual) return curve_cuts(points, axes, threads);
+  const double by_boxes = cells_made(sample, flat, {curve_cuts(sample, axes)});
+  if (by_boxes < kUsual) return {curve_cuts(points, axes, threads)};
   const std::array turned{axes[1], axes[0]};
-  const double across_first = cells_made(sample, flat, strip_cuts(sample, axes));
-  const double across_second = cells_made(sample, flat, strip_cuts(sample, turned));
-  if (std::min(across_first, across_second) > kWorthwhile * by_boxes) return curve_cuts(points, axes, threads);
-  return strip_cuts(points, across_first < across_second ? axes : std::span<const int>(turned), threads);
+  const double across_first = cells_made(sample, flat, {strip_cuts(sample, axes)});
+  const double across_second = cells_made(sample, flat, {strip_cuts(sample, turned)});
+  if (std::min(across_first, across_second) > kWorthwhile * by_boxes) return {curve_cuts(points, axes, threads), true};
+  return {strip_cuts(points, across_first < across_second ? axes : std::span<const int>(turned), threads)};
 }
 
 }  // namespace delone

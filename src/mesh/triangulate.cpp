@@ -10,7 +10,6 @@
 #include "mesh/divide_conquer.hpp"
 #include "mesh/in_parts.hpp"
 #include "mesh/incremental.hpp"
-#include "mesh/plane_cuts.hpp"
 
 namespace delone {
 namespace {
@@ -31,7 +30,7 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
   const AffineHull hull = affine_hull(points);
   const std::span axes = std::span(hull.flat.axes).first(static_cast<std::size_t>(std::max(hull.flat.dimension, 0)));
   if (axes.size() == 2 && !points.weighted()) {
-    const CurveCuts cuts = plane_cuts(points, hull.flat, threads);
+    const PlaneCuts cuts = plane_cuts(points, hull.flat, threads);
     const double ordered = watch.lap();
     Mesh mesh = triangulate_plane(points, hull.flat, cuts, threads, progress);
     mesh.statistics.order_seconds += ordered;
@@ -48,13 +47,13 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
   return mesh;
 }
 
-Mesh triangulate_plane(PointsView points, const Flat& flat, const CurveCuts& cuts, int threads,
+Mesh triangulate_plane(PointsView points, const Flat& flat, const PlaneCuts& cuts, int threads,
                        const Progress& progress) {
   Stopwatch watch;
   Mesh mesh(Sites(points.dimension(), false, flat));
-  mesh.sites.append(points, cuts.order, 0, threads);
+  mesh.sites.append(points, cuts.cuts.order, 0, threads);
   mesh.statistics.order_seconds = watch.lap();
-  divide_and_conquer(mesh, {cuts.cut.data(), cuts.cut.size()}, threads, progress);
+  divide_and_conquer(mesh, {cuts.cuts.cut.data(), cuts.cuts.cut.size()}, cuts.in_rows, threads, progress);
   mesh.statistics.insert_seconds = watch.lap();
   return mesh;
 }

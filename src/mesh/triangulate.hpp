@@ -8,7 +8,7 @@
 #include "delone/base/progress.hpp"
 #include "delone/geometry/points.hpp"
 #include "delone/mesh/triangulation.hpp"
-#include "delone/order/brio.hpp"
+#include "mesh/plane_cuts.hpp"
 
 namespace delone {
 
@@ -19,7 +19,7 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
 
 /// The triangulation of points in a plane, without weights, by divide and conquer along cuts of the two axes of their
 /// flat. Where all lie on a line it has ghosts only, where all stand at one place no cell. @throws as above
-Mesh triangulate_plane(PointsView points, const Flat& flat, const CurveCuts& cuts, int threads,
+Mesh triangulate_plane(PointsView points, const Flat& flat, const PlaneCuts& cuts, int threads,
                        const Progress& progress);
 
 /// The triangulation of some sites; row i of it is sites[i].

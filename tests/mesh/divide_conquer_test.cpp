@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "delone/base/errors.hpp"
@@ -70,9 +73,20 @@ PointSet around_ellipse(std::size_t n, std::size_t axis, double width) {
   return points;
 }
 
+/// In rows.
+PointSet ellipse_and_area(std::size_t n) {
+  PointSet points = around_ellipse(n, 0, 0.0);
+  Random random(12);
+  for (std::size_t i = 0; i < n; i += 20) {
+    points.coordinates[2 * i] = unit_random(random);
+    points.coordinates[2 * i + 1] = 0.5 * unit_random(random);
+  }
+  return points;
+}
+
 TEST(DivideConquer, cells_do_not_depend_on_the_number_of_threads) {
   for (const PointSet& points : {uniform(2, 60000, 1), lattice(2, 60000, 250, 2), circle_of_24_bits(2, 40000, 3),
-                                 around_ellipse(60000, 1, 0.0)}) {
+                                 around_ellipse(60000, 1, 0.0), ellipse_and_area(60000)}) {
     const AnyTriangulation one = build(points.view(), {.threads = 1});
     const AnyTriangulation many = build(points.view(), {.threads = 3});
     ASSERT_EQ(one.complex().slot_count(), many.complex().slot_count());
@@ -94,20 +108,66 @@ TEST(DivideConquer, cells_do_not_depend_on_the_number_of_threads) {
   }
 }
 
+/// Of points that span the plane, one at a time along the boxes of their curve, or in rows.
+AnyTriangulation divided(const PointSet& points, bool in_rows, std::size_t piece) {
+  const AffineHull hull = affine_hull(points.view());
+  const CurveCuts cuts = curve_cuts(points.view(), std::span(hull.flat.axes).first(2));
+  Mesh mesh(Sites(2, false, hull.flat));
+  mesh.sites.append(points.view(), cuts.order, 0, 1);
+  divide_and_conquer(mesh, {cuts.cut.data(), cuts.cut.size()}, in_rows, 2, {}, piece);
+  return AnyTriangulation(std::move(mesh));
+}
+
 /// Many merges side by side, and seams that leave vertices no cell of their own piece.
 TEST(DivideConquer, small_pieces_lead_to_the_same) {
   for (const PointSet& points : unweighted_families(2, 2000, 4)) {
-    const AffineHull hull = affine_hull(points.view());
-    if (hull.flat.dimension != 2) continue;
-    const CurveCuts cuts = curve_cuts(points.view(), std::span(hull.flat.axes).first(2));
+    if (affine_hull(points.view()).flat.dimension != 2) continue;
     for (const std::size_t piece : {1U, 3U, 50U}) {
-      Mesh mesh(Sites(2, false, hull.flat));
-      mesh.sites.append(points.view(), cuts.order, 0, 1);
-      divide_and_conquer(mesh, {cuts.cut.data(), cuts.cut.size()}, 2, {}, piece);
-      const AnyTriangulation t(std::move(mesh));
+      const AnyTriangulation t = divided(points, false, piece);
       EXPECT_EQ(broken_invariant(t), "") << points << ", " << piece;
       EXPECT_EQ(description(t), description(built(points))) << points << ", " << piece;
     }
+  }
+}
+
+TEST(DivideConquer, rows_lead_to_the_same) {
+  for (const std::size_t n : {40U, 500U, 3000U}) {
+    for (const PointSet& points : unweighted_families(2, n, 5)) {
+      if (affine_hull(points.view()).flat.dimension != 2) continue;
+      for (const std::size_t piece : {40U, 1000U}) {
+        const AnyTriangulation t = divided(points, true, piece);
+        EXPECT_EQ(broken_invariant(t), "") << points << ", " << piece;
+        EXPECT_EQ(canonical_hash(t), incremental_hash(points)) << points << ", " << piece;
+      }
+    }
+  }
+}
+
+/// Rows of all kinds: that bend to either side, more and more or less and less, so that fans turn left or right and
+/// begin at either end; with steps, ties, equal points, points beside them, and so far from the origin that most are
+/// cocircular or collinear by rounding.
+TEST(DivideConquer, every_kind_of_row_is_knit_as_its_points_are) {
+  Random random(17);
+  for (int round = 0; round < 400; ++round) {
+    PointSet points{"row " + std::to_string(round), 2, {}, {}};
+    const double bend = (round % 2 == 0 ? 1.0 : -1.0) * std::ldexp(1.0, -(round % 7) * 4);
+    const double slope = unit_random(random) - 0.5;
+    const double far = round % 5 == 0 ? 0x1p40 : (round % 5 == 1 ? 0x1p20 : 0.0);
+    const double scale = round % 11 == 0 ? 0x1p1000 : 1.0;
+    const bool steps = round % 3 == 0;
+    const std::size_t count = 33 + static_cast<std::size_t>(round) % 300;
+    for (std::size_t i = 0; i < count; ++i) {
+      double x = unit_random(random);
+      if (steps) x = std::round(x * 100.0) / 100.0;
+      double y = slope * x + bend * (round % 4 < 2 ? x * x * x : (1 - x) * (1 - x) * x) + far;
+      if (i % 40 == 39) y += 0.02 * unit_random(random);
+      if (round % 2 == 0) std::swap(x, y);
+      points.coordinates.insert(points.coordinates.end(), {x * scale, y * scale});
+    }
+    if (affine_hull(points.view()).flat.dimension != 2) continue;
+    const AnyTriangulation t = divided(points, true, 1000);
+    EXPECT_EQ(broken_invariant(t), "") << points;
+    EXPECT_EQ(canonical_hash(t), incremental_hash(points)) << points;
   }
 }
 
@@ -125,6 +185,38 @@ TEST(DivideConquer, points_on_a_curve_are_cut_into_strips_across_it) {
     }
     EXPECT_LT(built(lifted).statistics().cells_created, 5 * kCount);
   }
+}
+
+/// By halves 20 cells a point.
+TEST(DivideConquer, pieces_of_a_turned_curve_are_knit_in_rows) {
+  constexpr std::size_t kCount = 20000;
+  PointSet points = around_ellipse(kCount, 0, 0.0);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    double& x = points.coordinates[2 * i];
+    double& y = points.coordinates[2 * i + 1];
+    std::tie(x, y) = std::pair(0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y);
+  }
+  expect_incremental(points);
+  EXPECT_LT(built(points).statistics().cells_created, 12 * kCount);
+}
+
+/// A row that is a fan takes its cells at once; one knit from end to end no more than a few a point, where halves would
+/// make 14; and where each step undoes the ones before (a thousand cells a point), rows begin anew.
+TEST(DivideConquer, rows_are_knit_from_the_end_that_all_see_unless_there_is_none) {
+  constexpr std::size_t kCount = 8000;
+  const auto cells_created = [&](auto curve) {
+    PointSet points{"row", 2, {}, {}};
+    Random random(3);
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const auto [x, y] = curve(unit_random(random));
+      points.coordinates.insert(points.coordinates.end(), {x, y});
+    }
+    return divided(points, true, kCount).statistics().cells_created;
+  };
+  EXPECT_EQ(cells_created([](double t) { return std::pair(t, t * t / 8); }), 2 * kCount - 2);
+  EXPECT_EQ(cells_created([](double t) { return std::pair(-t * t / 8, 1 - t); }), 2 * kCount - 2);
+  EXPECT_LT(cells_created([](double t) { return std::pair(std::exp(-10 * t), std::exp(-20 * t) / 16); }), 6 * kCount);
+  EXPECT_LT(cells_created([](double t) { return std::pair(t, 0.1 * std::pow(2 * t - 1, 3)); }), 25 * kCount);
 }
 
 TEST(DivideConquer, points_around_a_curve_are_cut_into_boxes) {

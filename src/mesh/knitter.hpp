@@ -1,0 +1,360 @@
+// Two triangulations of the plane with a line between them are knit together, from their lower common tangent upwards:
+// [For92] 4.6, [GS85] section 9.
+// Departures: cells instead of edges, with ghost cells along the hull as everywhere here: a ghost cell of the seam
+// becomes the cell that is knit, an edge is deleted by a flip that makes two ghost cells, and a merge creates two
+// cells. Sites that are triangulated by a fan need not be knit at all.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "delone/base/buffer.hpp"
+#include "delone/geometry/kernel.hpp"
+#include "delone/mesh/inserter.hpp"
+#include "delone/topology/complex.hpp"
+
+namespace delone {
+
+/// A triangulation of some sites, known by its outermost vertices: by x and then y, and by y and then x. Each site that
+/// repeats no other one comes with two cells of the complex; those of the last site of a part stay unused.
+struct Part {
+  VertexId left, right, bottom, top;
+  CellId last;  ///< the first of these two
+};
+
+/// Knits parts together. The sides of a seam are called left and right whatever the axis of the cut: nothing but the
+/// choice of the first two vertices knows of axes.
+class Knitter {
+  using View = ComplexView<2>;
+  using Triangle = Kernel<2>::Cell;
+
+ public:
+  /// @param hull  per site, see hull_; set by single()
+  Knitter(Mesh& mesh, Buffer<CellId>& hull) : complex_(mesh.complex), kernel_(mesh.sites), hull_(hull.data()) {}
+
+  /// The part of one site, with its two cells.
+  Part single(VertexId v, CellId last) {
+    hull_[raw(v)] = kNoCell;
+    return {v, v, v, v, last};
+  }
+
+  /// One part from two that a line across an axis separates; the sites of b follow those of a.
+  Part merge(const Part& a, const Part& b) {
+    spare_ = a.last;
+    if (x(a.right) < x(b.left)) return beside(a, b, b.last);
+    if (x(b.right) < x(a.left)) return beside(b, a, b.last);
+    return y(a.top) < y(b.bottom) ? above(a, b, b.last) : above(b, a, b.last);
+  }
+
+  /// The part of some sites that begin a row, as many as the fan of the first triangulates. It takes their cells, from
+  /// `first` on.
+  /// @param row  sites each of which has a larger coordinate on some axis than the one before, or each a smaller one
+  struct Fan {
+    Part part;
+    std::size_t size;
+  };
+  Fan fan(std::span<const VertexId> row, CellId first) {
+    const auto [size, side] = fan_of(row);
+    const Part part = size == 1 ? single(row[0], first) : make_fan(row.first(size), side, first);
+    return {part, size};
+  }
+  /// From which end of a row, told by four of its sites, fans reach farther.
+  bool fan_from_front(std::span<const VertexId> row) {
+    if (row.size() < 4) return true;
+    const std::size_t third = row.size() / 3;
+    Triangle triangle{row[0], row[third], row[2 * third]};
+    const int side = kernel_.orient(triangle);
+    if (side < 0) std::swap(triangle[1], triangle[2]);
+    return side == 0 || !kernel_.conflict(triangle, row.back());
+  }
+
+  std::uint64_t cells_made() const { return cells_made_; }
+  void add_to(BuildStatistics& statistics) const {
+    statistics.predicates += kernel_.stats();
+    statistics.cells_created += cells_made_;
+  }
+
+ private:
+  // The slots of a ghost cell on a hull edge, which leads counter-clockwise from its tail to its head: the ghost stands
+  // last (I4). Opposite the head is the ghost cell on the edge before, opposite the tail that on the edge after.
+  static constexpr int kHead = 0;
+  static constexpr int kTail = 1;
+  static constexpr int kGhostSlot = 2;
+
+  /// One side of a seam. Its next hull edge upwards leads from `end` to the candidate for the third corner of the next
+  /// cell.
+  template <bool Left>
+  struct Bank {
+    static constexpr int kCandidate = Left ? kHead : kTail;  ///< slots of the ghost cell on that edge
+    static constexpr int kEnd = Left ? kTail : kHead;
+    /// The same vertices in the cell inside the edge: so many slots after its third one.
+    static constexpr int kCandidateTurn = Left ? 2 : 1;
+    static constexpr int kEndTurn = Left ? 1 : 2;
+
+    VertexId end;
+    bool alone;                     ///< `end` is the whole part: there is no such edge
+    CellId open;                    ///< the ghost cell on it; opposite the candidate it is linked to what lies below
+    FacetId inner;                  ///< the edge, seen from the cell inside
+    VertexId candidate;             ///< this and what follows is known once look() and see() were called
+    VertexId beyond;                ///< the corner that would be the candidate if the edge to this one went
+    Ray candidate_ray, beyond_ray;  ///< as the left end sees them
+    double turn;                    ///< from the right end to the candidate
+
+    Bank(VertexId v, CellId hull) : end(v), alone(hull == kNoCell), open(hull) {}
+  };
+
+  /// How many sites the fan of the first of a row triangulates, and to which side they bend: 1 is left. Since they lie
+  /// in a row, what bends to one side everywhere is convex.
+  struct Reach {
+    std::size_t size;
+    int side;
+  };
+  Reach fan_of(std::span<const VertexId> row) {
+    if (row.size() < 3) return {row.size(), 1};
+    const int side = kernel_.orient({row[0], row[1], row[2]});
+    if (side == 0) return {2, 1};
+    Ray before = kernel_.ray(row[1], row[0]);
+    Ray last = kernel_.ray(row[2], row[0]);
+    double turn = before.turn(last);
+    for (std::size_t i = 3; i < row.size(); ++i) {
+      if (kernel_.orient({row[i - 2], row[i - 1], row[i]}) != side) return {i, side};
+      const Ray next = kernel_.ray(row[i], row[0]);
+      const double next_turn = last.turn(next);
+      const double both_turns = before.turn(next);
+      const bool conflict = side > 0
+                                ? kernel_.conflict_seen(before, last, next, turn, next_turn, both_turns, row[i],
+                                                        [&] {
+                                                          return Triangle{row[0], row[i - 2], row[i - 1]};
+                                                        })
+                                : kernel_.conflict_seen(last, before, next, -turn, both_turns, next_turn, row[i], [&] {
+                                    return Triangle{row[0], row[i - 1], row[i - 2]};
+                                  });
+      if (conflict) return {i, side};
+      before = last;
+      last = next;
+      turn = next_turn;
+    }
+    return {row.size(), side};
+  }
+
+  /// Triangulates two sites or more by the fan of the first.
+  Part make_fan(std::span<const VertexId> row, int side, CellId first) {
+    const std::size_t n = row.size();
+    // Counter-clockwise, from the first on and back to it.
+    const auto corner = [&](std::size_t i) { return i % n == 0 ? row[0] : (side < 0 ? row[n - i] : row[i]); };
+    const auto ghost = [&](std::size_t i) { return CellId{raw(first) + static_cast<Index>(i % n)}; };
+    const CellId last{raw(first) + static_cast<Index>(2 * n - 2)};
+    Part part{row[0], row[0], row[0], row[0], last};
+    for (std::size_t i = 0; i < n; ++i) {  // on the edge from corner i to the next
+      const VertexId v = corner(i);
+      complex_.set_vertices(ghost(i), {corner(i + 1), v, kGhost});
+      complex_.link(View::facet(ghost(i), kTail), View::facet(ghost(i + 1), kHead));
+      hull_[raw(v)] = ghost(i);
+      if (x_before(v, part.left)) part.left = v;
+      if (x_before(part.right, v)) part.right = v;
+      if (y_before(v, part.bottom)) part.bottom = v;
+      if (y_before(part.top, v)) part.top = v;
+    }
+    FacetId base = View::facet(ghost(0), kGhostSlot);
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+      const CellId cell{raw(first) + static_cast<Index>(n + i - 1)};
+      complex_.set_vertices(cell, {row[0], corner(i), corner(i + 1)});
+      complex_.link(View::facet(cell, 2), base);
+      complex_.link(View::facet(cell, 0), View::facet(ghost(i), kGhostSlot));
+      base = View::facet(cell, 1);
+    }
+    complex_.link(base, View::facet(ghost(n - 1), kGhostSlot));
+    cells_made_ += 2 * n - 2;
+    return part;
+  }
+
+  double x(VertexId v) const { return kernel_.at(v)[0]; }
+  double y(VertexId v) const { return kernel_.at(v)[1]; }
+  // Without branches: which of two vertices comes first nobody can predict.
+  bool x_before(VertexId a, VertexId b) const {
+    return static_cast<int>(x(a) < x(b)) | (static_cast<int>(x(a) == x(b)) & static_cast<int>(y(a) < y(b)));
+  }
+  bool y_before(VertexId a, VertexId b) const {
+    return static_cast<int>(y(a) < y(b)) | (static_cast<int>(y(a) == y(b)) & static_cast<int>(x(a) < x(b)));
+  }
+
+  Part beside(const Part& left, const Part& right, CellId last) {
+    knit(left.right, right.left);
+    return {left.left, right.right, y_before(left.bottom, right.bottom) ? left.bottom : right.bottom,
+            y_before(left.top, right.top) ? right.top : left.top, last};
+  }
+  Part above(const Part& lower, const Part& upper, CellId last) {
+    knit(lower.top, upper.bottom);
+    return {x_before(lower.left, upper.left) ? lower.left : upper.left,
+            x_before(lower.right, upper.right) ? upper.right : lower.right, lower.bottom, upper.top, last};
+  }
+
+  /// Knits two parts, from vertices that face each other across the line between them.
+  void knit(VertexId left_start, VertexId right_start) {
+    Bank<true> left(left_start, hull_[raw(left_start)]);
+    Bank<false> right(right_start, hull_[raw(right_start)]);
+    if (!right.alone) right.open = above(right);
+    while (descend(left, left.end, right.end) || descend(right, left.end, right.end)) {
+    }
+
+    const CellId bottom = spare_;
+    complex_.set_vertices(bottom, {right.end, left.end, kGhost});
+    close(left, bottom);
+    close(right, bottom);
+    hull_[raw(left.end)] = bottom;
+    FacetId base = View::facet(bottom, kGhostSlot);
+    look(left);
+    look(right);
+    see(left, left.end);
+    see(right, left.end);
+    for (;;) {
+      const Ray across = kernel_.ray(right.end, left.end);
+      const bool left_on = choose(left, left.end, right.end, across);
+      const bool right_on = choose(right, left.end, right.end, across);
+      if (!left_on && !right_on) break;
+      if (left_on &&
+          !(right_on && inside(left.end, right.end, across, left, right.candidate, right.candidate_ray, right.turn))) {
+        base = attach(left, right.end, base);
+        see(left, left.end);
+      } else {
+        base = attach(right, left.end, base);
+      }
+      see(right, left.end);
+    }
+    const CellId top{raw(spare_) + 1};
+    complex_.set_vertices(top, {left.end, right.end, kGhost});
+    complex_.link(View::facet(top, kHead), View::facet(right.open, right.kCandidate));
+    complex_.link(View::facet(top, kTail), View::facet(left.open, left.kCandidate));
+    complex_.link(View::facet(top, kGhostSlot), base);
+    hull_[raw(left.end)] = left.open;
+    hull_[raw(right.end)] = top;
+    cells_made_ += 2;
+  }
+
+  /// The ghost cells on the next edges down and up a hull.
+  template <bool Left>
+  CellId below(const Bank<Left>& bank) const {
+    return View::cell(complex_.twin(bank.open, bank.kCandidate));
+  }
+  template <bool Left>
+  CellId above(const Bank<Left>& bank) const {
+    return View::cell(complex_.twin(bank.open, bank.kEnd));
+  }
+
+  /// Moves the end of a bank down its hull if the next vertex lies below the line through both ends.
+  template <bool Left>
+  bool descend(Bank<Left>& bank, VertexId left, VertexId right) {
+    if (bank.alone) return false;
+    const CellId next = below(bank);
+    const VertexId v = complex_.vertex(next, bank.kEnd);
+    if (kernel_.orient({left, right, v}) >= 0) return false;
+    bank.end = v;
+    bank.open = next;
+    return true;
+  }
+
+  /// Links the ghost cell below the seam to the hull of one side; a vertex alone has no hull and stays open upwards.
+  template <bool Left>
+  void close(Bank<Left>& bank, CellId bottom) {
+    if (bank.alone) {
+      bank.open = bottom;
+    } else {
+      complex_.link(View::facet(bottom, bank.kCandidate), View::facet(below(bank), bank.kEnd));
+    }
+  }
+
+  /// Finds the two vertices of a bank that may come next.
+  template <bool Left>
+  void look(Bank<Left>& bank) {
+    if (bank.alone) return;
+    bank.candidate = complex_.vertex(bank.open, bank.kCandidate);
+    bank.inner = complex_.twin(bank.open, kGhostSlot);
+    bank.beyond = complex_.vertex(bank.inner);
+  }
+  /// How the left end sees them.
+  template <bool Left>
+  void see(Bank<Left>& bank, VertexId left) {
+    if (bank.alone) return;
+    bank.candidate_ray = kernel_.ray(bank.candidate, left);
+    if (bank.beyond != kGhost) bank.beyond_ray = kernel_.ray(bank.beyond, left);
+  }
+
+  /// Makes the candidate of a bank the corner of the cell on the base that no vertex of its side is in conflict with:
+  /// edges in its way are deleted. False when nothing of this side is above the base.
+  template <bool Left>
+  [[gnu::always_inline]] bool choose(Bank<Left>& bank, VertexId left, VertexId right, const Ray& across) {
+    if (bank.alone) return false;
+    bank.turn = across.turn(bank.candidate_ray);
+    if (kernel_.orient_seen(across, bank.candidate_ray, bank.turn, [&] {
+          return Triangle{left, right, bank.candidate};
+        }) <= 0)
+      return false;
+    while (bank.beyond != kGhost) {
+      const double turn = across.turn(bank.beyond_ray);
+      if (!inside(left, right, across, bank, bank.beyond, bank.beyond_ray, turn)) return true;
+      delete_edge(bank);
+      bank.candidate_ray = bank.beyond_ray;
+      bank.turn = turn;
+      if (bank.beyond != kGhost) bank.beyond_ray = kernel_.ray(bank.beyond, left);
+    }
+    return true;
+  }
+
+  /// The edge between end and candidate goes; the cell inside becomes the ghost cell on its upper edge.
+  template <bool Left>
+  void delete_edge(Bank<Left>& bank) {
+    constexpr int kCandidate = Bank<Left>::kCandidate;
+    constexpr int kEnd = Bank<Left>::kEnd;
+    const CellId open = bank.open;
+    const CellId upper = View::cell(bank.inner);
+    const int slot = View::slot(bank.inner);
+    const FacetId lower_edge = complex_.twin(upper, View::turned(slot, Bank<Left>::kCandidateTurn));
+    const FacetId upper_edge = complex_.twin(upper, View::turned(slot, Bank<Left>::kEndTurn));
+    const CellId next = above(bank);
+    complex_.set_vertex(upper, kCandidate, bank.candidate);
+    complex_.set_vertex(upper, kEnd, bank.beyond);
+    complex_.set_vertex(upper, kGhostSlot, kGhost);
+    complex_.set_vertex(open, kCandidate, bank.beyond);
+    complex_.link(View::facet(upper, kEnd), View::facet(next, kCandidate));
+    complex_.link(View::facet(upper, kCandidate), View::facet(open, kEnd));
+    complex_.link(View::facet(upper, kGhostSlot), upper_edge);
+    complex_.link(View::facet(open, kGhostSlot), lower_edge);
+    cells_made_ += 2;
+    bank.candidate = bank.beyond;
+    bank.inner = lower_edge;
+    bank.beyond = complex_.vertex(lower_edge);
+  }
+
+  /// Whether q lies in the circle through the ends and the candidate of a bank.
+  template <bool Left>
+  bool inside(VertexId left, VertexId right, const Ray& across, const Bank<Left>& bank, VertexId q, const Ray& ray,
+              double turn) {
+    return kernel_.conflict_seen(across, bank.candidate_ray, ray, bank.turn, bank.candidate_ray.turn(ray), turn, q,
+                                 [&] {
+                                   return Triangle{left, right, bank.candidate};
+                                 });
+  }
+
+  /// The ghost cell of a bank becomes the cell on the base. Returns the new base.
+  template <bool Left>
+  FacetId attach(Bank<Left>& bank, VertexId other_end, FacetId base) {
+    const CellId made = bank.open;
+    complex_.set_vertex(made, kGhostSlot, other_end);
+    complex_.link(View::facet(made, bank.kCandidate), base);
+    bank.end = bank.candidate;
+    bank.open = above(bank);
+    look(bank);
+    ++cells_made_;
+    return View::facet(made, bank.kEnd);
+  }
+
+  View complex_;
+  Kernel<2> kernel_;
+  CellId* hull_;    ///< per hull vertex the ghost cell on the edge that leaves it; kNoCell for a vertex alone
+  CellId spare_{};  ///< two cells that the next merge may use
+  std::uint64_t cells_made_ = 0;
+};
+
+}  // namespace delone
