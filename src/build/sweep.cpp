@@ -355,7 +355,8 @@ struct PlacedSite {
 std::vector<PlacedSite> from_below(const Sites& sites, std::size_t count) {
   std::vector<PlacedSite> sorted(count);
   for (std::size_t i = 0; i < count; ++i) {
-    sorted[i] = {{sites.leading()[2 * i], sites.leading()[2 * i + 1]}, VertexId{static_cast<Index>(i)}};
+    const VertexId v{static_cast<Index>(i)};
+    sorted[i] = {{sites.at(v)[0], sites.at(v)[1]}, v};
   }
   std::ranges::sort(sorted, passed_before, &PlacedSite::place);
   return sorted;

@@ -69,12 +69,12 @@ class Centres {
   Centre compute(CellId c) const {
     const std::array<VertexId, kAxes + 1> v = ConstComplexView<K>(complex_).vertices(c);
     const double* const weights = sites_.weights();
-    const double* origin = sites_.leading() + raw(v[0]) * kAxes;
+    const double* origin = sites_.at(v[0]);
     std::array<std::array<double, kAxes>, kAxes> d;
     std::array<double, kAxes> lift, size;
     double reach = 0;
     for (std::size_t i = 0; i < kAxes; ++i) {
-      const double* p = sites_.leading() + raw(v[i + 1]) * kAxes;
+      const double* p = sites_.at(v[i + 1]);
       const double w = weights == nullptr ? 0 : weights[raw(v[0])] - weights[raw(v[i + 1])];
       lift[i] = w;
       size[i] = std::abs(w);

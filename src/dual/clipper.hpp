@@ -27,8 +27,8 @@ Plane bisector(std::span<const double> near, double near_weight, std::span<const
 
 /// From one site to another, in space.
 inline Point3 direction(const Sites& sites, const Frame& frame, VertexId from, VertexId to) {
-  const double* const a = sites.leading() + 3 * std::size_t{raw(from)};
-  const double* const b = sites.leading() + 3 * std::size_t{raw(to)};
+  const double* const a = sites.at(from);
+  const double* const b = sites.at(to);
   return {frame.scaled(b[0] - a[0]), frame.scaled(b[1] - a[1]), frame.scaled(b[2] - a[2])};
 }
 

@@ -115,7 +115,7 @@ std::vector<CellId> cells_along_curve(const AnyTriangulation& t, const Frame& fr
   for (std::size_t s = 0; s < box.size(); ++s) {
     std::array<std::uint32_t, 3> x;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double at = frame.seen(t.sites().leading()[3 * s + axis], axis) - frame.low[axis];
+      const double at = frame.seen(t.sites().at(VertexId{static_cast<Index>(s)})[axis], axis) - frame.low[axis];
       x[axis] =
           static_cast<std::uint32_t>(std::clamp(at / (frame.high[axis] - frame.low[axis]) * boxes, 0.0, boxes - 1));
     }

@@ -51,8 +51,7 @@ class MeasureTable {
   template <int D>
   void put(VertexId v, const Moments<D>& moments, const typename Moments<D>::Place& corner, const Frame& frame) {
     typename Moments<D>::Place site;
-    for (std::size_t axis = 0; axis < D; ++axis)
-      site[axis] = frame.seen(t_.sites().leading()[raw(v) * std::size_t{D} + axis], axis);
+    for (std::size_t axis = 0; axis < D; ++axis) site[axis] = frame.seen(t_.sites().at(v)[axis], axis);
     const auto centroid = moments.centroid(corner, site);
     Line& line = lines_[raw(v)];
     line.volume = frame.enlarged(moments.volume, D);

@@ -126,9 +126,9 @@ bool centre_by_pairs(const Sites& sites, std::span<const VertexId> cell, bool of
   constexpr double kUnit = 0x1p-106;
   std::array<std::array<DoubleDouble, n + 1>, n> rows;
   std::array<double, n + 1> largest{};
-  const double* origin = sites.leading() + raw(cell[0]) * n;
+  const double* origin = sites.at(cell[0]);
   for (std::size_t i = 0; i < n; ++i) {
-    const double* p = sites.leading() + raw(cell[i + 1]) * n;
+    const double* p = sites.at(cell[i + 1]);
     DoubleDouble b = DoubleDouble::difference(sites.weight(cell[0]), sites.weight(cell[i + 1]));
     double size = std::abs(b.high());
     for (std::size_t j = 0; j < n; ++j) {

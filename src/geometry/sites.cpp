@@ -186,11 +186,7 @@ void Sites::copy_point(VertexId v, std::span<double> to) const {
   for (std::size_t axis = 0; axis < to.size(); ++axis) to[axis] = coordinate(v, static_cast<int>(axis));
 }
 
-bool Sites::same_place(VertexId a, VertexId b) const {
-  const auto k = static_cast<std::size_t>(leading_count_);
-  return std::equal(leading_.data() + raw(a) * k, leading_.data() + (raw(a) + std::size_t{1}) * k,
-                    leading_.data() + raw(b) * k);
-}
+bool Sites::same_place(VertexId a, VertexId b) const { return std::equal(at(a), at(a) + leading_count_, at(b)); }
 
 void Sites::shrink() {
   for (Buffer<double>* buffer : {&leading_, &others_, &weights_}) buffer->shrink_to_fit();

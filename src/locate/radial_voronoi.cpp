@@ -294,7 +294,7 @@ Index RadialVoronoi::lowest_nearest(Triangle at, Point2 q, RadialSteps& steps) c
 }
 
 Point2 RadialVoronoi::point(VertexId v) const {
-  const double* x = mesh_.sites.leading() + 2 * std::size_t{raw(v)};
+  const double* x = mesh_.sites.at(v);
   return {x[0], x[1]};
 }
 

@@ -50,7 +50,7 @@ void for_each_vertex(const AnyTriangulation& t, F&& f) {
 inline double squared_distance(const Sites& sites, VertexId v, std::span<const double> q) {
   double sum = 0.0;
   if (sites.flat().dimension == sites.dimension()) {
-    const double* x = sites.leading() + raw(v) * q.size();
+    const double* x = sites.at(v);
     for (std::size_t j = 0; j < q.size(); ++j) sum += (x[j] - q[j]) * (x[j] - q[j]);
   } else {
     for (std::size_t j = 0; j < q.size(); ++j) {

@@ -90,7 +90,7 @@ std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut, const Piece& wh
 std::optional<int> row_axis(const Sites& sites, const Piece& box) {
   std::array<const double*, 8> x;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    x[i] = sites.leading() + 2 * (box.begin + (box.end - box.begin - 1) * i / (x.size() - 1));
+    x[i] = sites.at(VertexId{static_cast<Index>(box.begin + (box.end - box.begin - 1) * i / (x.size() - 1))});
   }
   std::array<std::pair<const double*, const double*>, 2> ends;
   std::array<double, 2> length;
@@ -175,7 +175,7 @@ class PieceWork {
     if (!axis) return false;
     row_.clear();
     for_each_place(box, [&](VertexId v) { row_.push_back(v); });
-    const auto place = [&](VertexId v) { return sites_.leading()[2 * raw(v) + static_cast<std::size_t>(*axis)]; };
+    const auto place = [&](VertexId v) { return sites_.at(v)[*axis]; };
     sort_row(place);
     if (std::ranges::adjacent_find(row_, {}, place) != row_.end()) return false;
     mender_.add({knit_row(knitter_, row_, CellId{static_cast<Index>(2 * box.rank)}), cut_[box.begin]});

@@ -221,7 +221,7 @@ std::pair<std::vector<Index>, std::size_t> lexicographic_ranks(const Sites& site
     if (const VertexId v{static_cast<Index>(i)}; !sites.is_empty(v)) order.push_back(v);
   }
   const auto k = static_cast<std::size_t>(std::max(sites.flat().dimension, 0));  // these axes come first (Flat)
-  const auto coordinates = [&](VertexId v) { return std::span(sites.leading() + raw(v) * k, k); };
+  const auto coordinates = [&](VertexId v) { return std::span(sites.at(v), k); };
   std::ranges::sort(order, [&](VertexId a, VertexId b) {
     return std::ranges::lexicographical_compare(coordinates(a), coordinates(b));
   });

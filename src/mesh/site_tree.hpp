@@ -112,7 +112,7 @@ class SiteTree {
   }
 
   /// A leading coordinate in the tree's unit.
-  double x(VertexId v, std::size_t j) const { return scale_ * sites_->leading()[raw(v) * kCoordinates + j]; }
+  double x(VertexId v, std::size_t j) const { return scale_ * sites_->at(v)[j]; }
 
  private:
   struct Box {

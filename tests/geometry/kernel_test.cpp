@@ -54,7 +54,7 @@ void expect_orient(const std::vector<double>& points, int sign, Decided stage) {
   Kernel<K> kernel(sites);
   EXPECT_EQ(kernel.orient(first_cell<K>()), sign);
   std::array<const double*, K + 1> pointers;
-  for (std::size_t i = 0; i < pointers.size(); ++i) pointers[i] = sites.leading() + i * K;
+  for (std::size_t i = 0; i < pointers.size(); ++i) pointers[i] = sites.at(VertexId{static_cast<Index>(i)});
   const SlowSign slow = slow_orient<K>(pointers);
   EXPECT_EQ(slow.sign, sign);
   const bool filtered = kernel.filtered_orient(first_cell<K>()) != Kernel<K>::kUnsure;

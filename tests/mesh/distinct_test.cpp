@@ -31,7 +31,7 @@ TEST(Distinct, sites_have_places_of_their_own_and_the_first_span_space) {
       }
       with_dimension<1>(all.flat().dimension, [&](auto k) {
         std::array<const double*, k + 1> simplex;
-        for (std::size_t i = 0; i <= k; ++i) simplex[i] = all.leading() + i * std::size_t{k};
+        for (std::size_t i = 0; i <= k; ++i) simplex[i] = all.at(VertexId{static_cast<Index>(i)});
         EXPECT_NE(slow_orient<k>(simplex).sign, 0) << points;
       });
     }

@@ -24,8 +24,7 @@ using ::testing::ElementsAre;
 int orientation(const AnyTriangulation& t, const std::vector<Index>& rows) {
   return with_dimension<1>(t.affine_dimension(), [&](auto k) {
     std::array<const double*, k + 1> points;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      points[i] = t.sites().leading() + raw(t.vertex(rows[i])) * std::size_t{k};
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] = t.sites().at(t.vertex(rows[i]));
     return slow_orient<k>(points).sign;
   });
 }

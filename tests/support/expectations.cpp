@@ -46,7 +46,7 @@ int orientation(const AnyTriangulation& t, CellId c) {
   return with_dimension<1>(t.affine_dimension(), [&](auto k) {
     std::array<const double*, k + 1> points;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      points[i] = t.sites().leading() + raw(t.complex().vertex(c, static_cast<int>(i))) * std::size_t{k};
+      points[i] = t.sites().at(t.complex().vertex(c, static_cast<int>(i)));
     }
     return slow_orient<k>(points).sign;
   });
@@ -55,7 +55,7 @@ int orientation(const AnyTriangulation& t, CellId c) {
 /// Whether finite cell c contains site v.
 bool holds(const AnyTriangulation& t, CellId c, VertexId v) {
   return with_dimension<1>(t.affine_dimension(), [&](auto k) {
-    const auto at = [&](VertexId w) { return t.sites().leading() + raw(w) * std::size_t{k}; };
+    const auto at = [&](VertexId w) { return t.sites().at(w); };
     for (std::size_t i = 0; i <= k; ++i) {
       std::array<const double*, k + 1> points;
       for (std::size_t j = 0; j <= k; ++j) points[j] = at(j == i ? v : t.complex().vertex(c, static_cast<int>(j)));

@@ -51,8 +51,9 @@ class Sites {
   std::size_t row_count() const { return vertex_of_.size(); }
   std::size_t present_count() const { return size() - empty_.size(); }
 
-  /// k leading coordinates per site; D - k others; weights, empty when there are none.
+  /// k leading coordinates per site; D - k others; weights, null when there are none.
   const double* leading() const { return leading_.data(); }
+  const double* at(VertexId v) const { return leading_.data() + raw(v) * static_cast<std::size_t>(leading_count_); }
   const double* others() const { return others_.data(); }
   const double* weights() const { return weighted_ ? weights_.data() : nullptr; }
   /// Of all sites so far.
@@ -62,8 +63,7 @@ class Sites {
   double coordinate(VertexId v, int axis) const {
     const auto place = static_cast<std::size_t>(place_of_axis_[static_cast<std::size_t>(axis)]);
     const auto k = static_cast<std::size_t>(leading_count_);
-    return place < k ? leading_[raw(v) * k + place]
-                     : others_[raw(v) * (static_cast<std::size_t>(dimension_) - k) + place - k];
+    return place < k ? at(v)[place] : others_[raw(v) * (static_cast<std::size_t>(dimension_) - k) + place - k];
   }
 
   /// The D coordinates of a point as sites keep theirs: the leading ones, then the others.
