@@ -16,6 +16,7 @@
 #include "delone/build/insert.hpp"
 #include "delone/geometry/affine.hpp"
 #include "delone/mesh/export.hpp"
+#include "delone/remove/remove.hpp"
 #include "mesh/incremental.hpp"
 #include "support/expectations.hpp"
 #include "support/families.hpp"
@@ -136,6 +137,31 @@ TEST(InParts, batches_are_shared_too) {
     EXPECT_GT(t.statistics().put_off, 0U);
     EXPECT_EQ(broken_invariant(t), "") << points.name;
     EXPECT_EQ(canonical_hash(t), canonical_hash(build(points.view())));
+  }
+}
+
+TEST(InParts, batches_are_shared_in_every_dimension_after_removals_too) {
+  for (const int dimension : {2, 3, 4, 5}) {
+    const std::size_t n = dimension < 4 ? 24000 : (dimension == 4 ? 6000 : 3600);
+    for (const PointSet& points : {uniform(dimension, n, 1), with_random_weights(uniform(dimension, n, 2), 3)}) {
+      AnyTriangulation t = build(rows(points, 0, n / 3 * 2).view());
+      std::vector<Index> gone;
+      for (Index row = 0; row < n / 4; row += 5) gone.push_back(row);
+      remove(t, gone);
+      insert(t, rows(points, n / 3 * 2, n).view(), {.threads = 3});
+      EXPECT_EQ(broken_invariant(t), "") << points.name << dimension;
+      PointSet left = rows(points, n / 4, n);
+      for (Index row = 0; row < n / 4; ++row) {
+        if (row % 5 == 0) continue;
+        const auto x = points.view()[row];
+        left.coordinates.insert(left.coordinates.end(), x.begin(), x.end());
+        if (!left.weights.empty()) left.weights.push_back(points.weights[row]);
+      }
+      EXPECT_EQ(canonical_hash(t), canonical_hash(build(left.view()))) << points.name << dimension;
+      if (points.weights.empty()) {  // with weights whoever was hidden is known by now, and kept so by one thread
+        EXPECT_GT(t.statistics().put_off, 0U) << points.name << dimension;
+      }
+    }
   }
 }
 
