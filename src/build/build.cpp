@@ -78,8 +78,8 @@ AnyTriangulation build(PointsView points, const BuildOptions& options) {
   }
   if (divide) {
     const auto cut = options.order == Order::hilbert ? curve_cuts : strip_cuts;
-    const PlaneCuts cuts{cut(points, std::span(hull.flat.axes).first(2), options.threads)};
-    return finished(triangulate_plane(points, hull.flat, cuts, options.threads, options.progress));
+    const CutPlan plan{cut(points, std::span(hull.flat.axes).first(2), options.threads)};
+    return finished(triangulate_plane(points, hull.flat, plan, options.threads, options.progress));
   }
   return built_by_method(points, options);
 }

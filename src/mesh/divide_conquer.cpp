@@ -1,23 +1,21 @@
 // Source: [For92] 4.6 and [GS85] section 9; [Dwyer87] (cuts across alternating axes, so that parts stay square and
 // seams short). Departures: cuts come with the order of the sites: those of the boxes that Hilbert's curve goes
-// through, or of strips, not halves of equal number. Boxes may hold rows, which are knit from one end to the other.
+// through, or of strips, not halves of equal number. Boxes may hold chains, which are knit from one end to the other.
 //
 // Heights are perturbed by coordinates alone, so each part is the canonical triangulation of its sites.
 #include "mesh/divide_conquer.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <bit>
-#include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/chunks.hpp"
 #include "delone/order/brio.hpp"
+#include "mesh/chain.hpp"
 #include "mesh/knitter.hpp"
 
 namespace delone {
@@ -60,24 +58,28 @@ struct Piece {
   std::size_t begin, end, rank;
 };
 
-/// The boxes or strips of `whole` that are small enough, or of one place.
-template <class F>
-std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut, const Piece& whole, const F& small_enough) {
+/// Where the least deep cut of a piece of two sites or more is; its end when it is one place.
+std::size_t middle_of(std::span<const std::uint16_t> cut, const Piece& piece) {
+  const auto inner = cut.subspan(piece.begin + 1, piece.end - piece.begin - 1);
+  const std::uint16_t least_deep = std::ranges::min(inner);
+  if (least_deep == CurveCuts::kSamePlace) return piece.end;
+  return piece.begin + 1 + static_cast<std::size_t>(std::ranges::find(inner, least_deep) - inner.begin());
+}
+
+/// Boxes or strips of up to `most` sites, or of one place.
+std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut, std::size_t most) {
   std::vector<Piece> done;
-  std::vector<Piece> open{whole};
-  std::size_t rank = whole.rank;
+  std::vector<Piece> open{{0, cut.size(), 0}};
+  std::size_t rank = 0;
   while (!open.empty()) {
     const Piece piece = open.back();
     open.pop_back();
-    const auto inner = cut.subspan(piece.begin + 1, piece.end - piece.begin - 1);
-    const bool whole_piece = inner.empty() || small_enough(piece);
-    const std::uint16_t least_deep = whole_piece ? CurveCuts::kSamePlace : std::ranges::min(inner);
-    if (least_deep == CurveCuts::kSamePlace) {
+    const std::size_t middle = piece.end - piece.begin <= most ? piece.end : middle_of(cut, piece);
+    if (middle == piece.end) {
+      const auto inner = cut.subspan(piece.begin + 1, piece.end - piece.begin - 1);
       done.push_back({piece.begin, piece.end, rank});
       rank += piece.end - piece.begin - static_cast<std::size_t>(std::ranges::count(inner, CurveCuts::kSamePlace));
     } else {
-      const auto at = static_cast<std::size_t>(std::ranges::find(inner, least_deep) - inner.begin());
-      const std::size_t middle = piece.begin + 1 + at;
       open.push_back({middle, piece.end, 0});
       open.push_back({piece.begin, middle, 0});
     }
@@ -85,47 +87,24 @@ std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut, const Piece& wh
   return done;
 }
 
-/// The axis along which the sites of a box lie in a row, as far as eight of them tell: they stay as close to a line as
-/// a sixteenth of its length.
-std::optional<int> row_axis(const Sites& sites, const Piece& box) {
-  std::array<const double*, 8> x;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    x[i] = sites.at(VertexId{static_cast<Index>(box.begin + (box.end - box.begin - 1) * i / (x.size() - 1))});
-  }
-  std::array<std::pair<const double*, const double*>, 2> ends;
-  std::array<double, 2> length;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const auto [least, most] = std::ranges::minmax_element(x, {}, [&](const double* p) { return p[axis]; });
-    ends[axis] = {*least, *most};
-    length[axis] = (*most)[axis] - (*least)[axis];
-  }
-  const int axis = length[0] >= length[1] ? 0 : 1;
-  const auto [from, to] = ends[static_cast<std::size_t>(axis)];
-  const Pair along{to[0] - from[0], to[1] - from[1]};
-  const double most = (along[0] * along[0] + along[1] * along[1]) / 16.0;
-  const bool close = std::ranges::all_of(
-      x, [&](const double* p) { return std::abs(along[0] * (p[1] - from[1]) - along[1] * (p[0] - from[0])) <= most; });
-  return close ? std::optional(axis) : std::nullopt;
-}
-
-/// A piece of a curve, triangulated alone, is a fan but for details: all see the end where it bends most, or least. Of
-/// two halves of it one is knit in vain. So what lies in a row is knit from that end to the other, one fan after the
-/// next. Where this makes many cells another row begins; rows are merged two by two, then.
-Part knit_row(Knitter& knitter, std::span<VertexId> row, CellId first) {
+/// Knits the sites of a sorted chain. A piece of a curve, triangulated alone, is a fan but for details: all see the end
+/// where it bends most. Of two halves of it one is triangulated in vain. So the chain is knit from that end to the
+/// other, one fan after the next. Where this makes many cells another chain begins; chains are merged two by two, then.
+Part knit_chain(Knitter& knitter, std::span<VertexId> chain, CellId first) {
   constexpr std::uint64_t kMany = 8;  // for each site; 5 are usual
   constexpr std::uint64_t kSlack = 64;
-  if (!knitter.fan_from_front(row)) std::ranges::reverse(row);
+  if (!knitter.bends_most_in_front(chain)) std::ranges::reverse(chain);
   const auto fan_at = [&](std::size_t i) {
-    return knitter.fan(row.subspan(i), CellId{raw(first) + static_cast<Index>(2 * i)});
+    return knitter.fan(chain.subspan(i), CellId{raw(first) + static_cast<Index>(2 * i)});
   };
   Mender mender(knitter);
   std::size_t end = 0;
-  for (std::size_t number = 0; end < row.size(); ++number) {
+  for (std::size_t number = 0; end < chain.size(); ++number) {
     const std::size_t begin = end;
     const std::uint64_t made = knitter.cells_made();
     auto [part, size] = fan_at(begin);
     end += size;
-    while (end < row.size() && knitter.cells_made() - made < kMany * (end - begin) + kSlack) {
+    while (end < chain.size() && knitter.cells_made() - made < kMany * (end - begin) + kSlack) {
       const Knitter::Fan next = fan_at(end);
       part = knitter.merge(part, next.part);
       end += next.size;
@@ -135,22 +114,17 @@ Part knit_row(Knitter& knitter, std::span<VertexId> row, CellId first) {
   return mender.finish().part;
 }
 
-/// Triangulates pieces, each for itself.
+/// Triangulates a piece.
 class PieceWork {
  public:
-  PieceWork(Mesh& mesh, Buffer<CellId>& hull, std::span<const std::uint16_t> cut)
-      : sites_(mesh.sites), cut_(cut), knitter_(mesh, hull), mender_(knitter_) {}
+  PieceWork(Mesh& mesh, Buffer<CellId>& hull, std::span<const std::uint16_t> cut, const Piece& piece)
+      : sites_(mesh.sites), cut_(cut), piece_(piece), rank_(piece.rank), knitter_(mesh, hull), mender_(knitter_) {}
 
-  CutPart whole(const Piece& piece) {
-    add_one_by_one(piece);
-    return mender_.finish();
-  }
-  /// The same where boxes may hold rows.
-  CutPart by_rows(const Piece& piece) {
-    const auto is_small = [](const Piece& box) { return box.end - box.begin <= 32; };
-    const auto stays_whole = [&](const Piece& box) { return is_small(box) || row_axis(sites_, box); };
-    for (const Piece& box : pieces_of(cut_, piece, stays_whole)) {
-      if (is_small(box) || !add_row(box)) add_one_by_one(box);
+  CutPart knit(bool in_chains) {
+    if (in_chains) {
+      add_chains(piece_);
+    } else {
+      add_sites(piece_);
     }
     return mender_.finish();
   }
@@ -163,68 +137,44 @@ class PieceWork {
       if (i == box.begin || cut_[i] != CurveCuts::kSamePlace) visit(VertexId{static_cast<Index>(i)});
     }
   }
-  void add_one_by_one(const Piece& box) {
-    std::size_t rank = box.rank;
-    for_each_place(box, [&](VertexId v) {
-      mender_.add({knitter_.single(v, CellId{static_cast<Index>(2 * rank++)}), cut_[raw(v)]});
-    });
+  /// The first cell of the next site, or of the next `count`.
+  CellId take_cells(std::size_t count) {
+    const CellId first{static_cast<Index>(2 * rank_)};
+    rank_ += count;
+    return first;
   }
-  /// False, and nothing is done, when the box is no row, or two sites are alike on its axis.
-  bool add_row(const Piece& box) {
-    const std::optional<int> axis = row_axis(sites_, box);
+  /// One by one.
+  void add_sites(const Piece& box) {
+    for_each_place(box, [&](VertexId v) { mender_.add({knitter_.single(v, take_cells(1)), cut_[raw(v)]}); });
+  }
+  /// Boxes that hold a chain as one, the others by halves.
+  void add_chains(const Piece& box) {
+    constexpr std::size_t kSmall = 32;
+    if (box.end - box.begin > kSmall && add_chain(box)) return;
+    const std::size_t middle = box.end - box.begin > kSmall ? middle_of(cut_, box) : box.end;
+    if (middle == box.end) return add_sites(box);
+    add_chains({box.begin, middle, 0});
+    add_chains({middle, box.end, 0});
+  }
+  /// False, and nothing is done, when the sites are no chain, or two are alike on its axis: no line would part these.
+  bool add_chain(const Piece& box) {
+    const std::optional<int> axis = chain_axis(sites_, box.begin, box.end);
     if (!axis) return false;
-    row_.clear();
-    for_each_place(box, [&](VertexId v) { row_.push_back(v); });
-    const auto place = [&](VertexId v) { return sites_.at(v)[*axis]; };
-    sort_row(place);
-    if (std::ranges::adjacent_find(row_, {}, place) != row_.end()) return false;
-    mender_.add({knit_row(knitter_, row_, CellId{static_cast<Index>(2 * box.rank)}), cut_[box.begin]});
-    return true;
-  }
-  template <class F>
-  void sort_row(const F& place) {
-    if (!spread_row(place)) {
-      std::ranges::sort(row_, {}, place);
-      return;
-    }
-    for (auto next = row_.begin() + 1; next != row_.end(); ++next) {
-      const VertexId v = *next;
-      auto to = next;
-      for (; to != row_.begin() && place(*(to - 1)) > place(v); --to) *to = *(to - 1);
-      *to = v;
-    }
-  }
-  /// Sites of a row are mostly spread so evenly that division tells each about where it belongs. False, and nothing is
-  /// done, when many would go to one place.
-  template <class F>
-  bool spread_row(const F& place) {
-    constexpr Index kMany = 16;
-    double least = place(row_.front());
-    double most = least;
-    for (const VertexId v : row_) {
-      least = std::min(least, place(v));
-      most = std::max(most, place(v));
-    }
-    const double scale = static_cast<double>(row_.size() - 1) / (most - least);
-    if (!(scale > 0.0 && std::isfinite(scale))) return false;
-    const auto bucket = [&](VertexId v) { return static_cast<std::size_t>((place(v) - least) * scale); };
-    bucket_end_.assign(row_.size() + 1, 0);
-    Index fullest = 0;
-    for (const VertexId v : row_) fullest = std::max(fullest, ++bucket_end_[bucket(v) + 1]);
-    if (fullest > kMany) return false;
-    std::inclusive_scan(bucket_end_.begin(), bucket_end_.end(), bucket_end_.begin());
-    sorted_.resize(row_.size());
-    for (const VertexId v : row_) sorted_[bucket_end_[bucket(v)]++] = v;
-    row_.swap(sorted_);
+    chain_.clear();
+    for_each_place(box, [&](VertexId v) { chain_.push_back(v); });
+    if (!sorter_.sort(sites_, *axis, chain_)) return false;
+    mender_.add({knit_chain(knitter_, chain_, take_cells(chain_.size())), cut_[box.begin]});
     return true;
   }
 
   const Sites& sites_;
   std::span<const std::uint16_t> cut_;
+  Piece piece_;
+  std::size_t rank_;  ///< of the next site
   Knitter knitter_;
   Mender mender_;
-  std::vector<VertexId> row_, sorted_;
-  std::vector<Index> bucket_end_;
+  ChainSorter sorter_;
+  std::vector<VertexId> chain_;
 };
 
 /// Finds an incident cell for every vertex: the last that has it of the cells with the numbers of its own piece; where
@@ -280,7 +230,7 @@ std::size_t set_duplicates_aside(Mesh& mesh, std::span<const std::uint16_t> cut)
 
 }  // namespace
 
-void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, bool in_rows, int threads,
+void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, bool in_chains, int threads,
                         const Progress& progress, std::size_t piece) {
   const std::size_t n = mesh.sites.size();
   mesh.vertex_count = set_duplicates_aside(mesh, cut);
@@ -291,13 +241,12 @@ void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, bool in_
   Buffer<CellId> hull;
   hull.resize(n);
 
-  const std::vector<Piece> pieces =
-      pieces_of(cut, {0, n, 0}, [&](const Piece& box) { return box.end - box.begin <= piece; });
+  const std::vector<Piece> pieces = pieces_of(cut, piece);
   std::vector<CutPart> parts(pieces.size());
   std::vector<BuildStatistics> counts(pieces.size());
   const auto triangulate_piece = [&](std::size_t, std::size_t, std::size_t p) {
-    PieceWork work(mesh, hull, cut);
-    parts[p] = in_rows ? work.by_rows(pieces[p]) : work.whole(pieces[p]);
+    PieceWork work(mesh, hull, cut, pieces[p]);
+    parts[p] = work.knit(in_chains);
     work.add_to(counts[p]);
   };
   for_chunks(pieces.size(), threads, triangulate_piece, progress, 1);

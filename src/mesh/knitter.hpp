@@ -31,7 +31,7 @@ class Knitter {
   using Triangle = Kernel<2>::Cell;
 
  public:
-  /// @param hull  per site, see hull_; set by single()
+  /// @param hull  per site, see hull_; set by single() and fan()
   Knitter(Mesh& mesh, Buffer<CellId>& hull) : complex_(mesh.complex), kernel_(mesh.sites), hull_(hull.data()) {}
 
   /// The part of one site, with its two cells.
@@ -48,26 +48,26 @@ class Knitter {
     return y(a.top) < y(b.bottom) ? above(a, b, b.last) : above(b, a, b.last);
   }
 
-  /// The part of some sites that begin a row, as many as the fan of the first triangulates. It takes their cells, from
-  /// `first` on.
-  /// @param row  sites each of which has a larger coordinate on some axis than the one before, or each a smaller one
   struct Fan {
     Part part;
-    std::size_t size;
+    std::size_t size;  ///< of how many sites
   };
-  Fan fan(std::span<const VertexId> row, CellId first) {
-    const auto [size, side] = fan_of(row);
-    const Part part = size == 1 ? single(row[0], first) : make_fan(row.first(size), side, first);
-    return {part, size};
+  /// The part of some sites that begin a chain, as many as the fan of the first triangulates. It takes their cells,
+  /// from `first` on.
+  /// @param chain  sites each of which has a larger coordinate on some axis than the one before, or each a smaller one
+  Fan fan(std::span<const VertexId> chain, CellId first) {
+    const auto [size, side] = reach_of_fan(chain);
+    return {size == 1 ? single(chain[0], first) : triangulate_by_fan(chain.first(size), side, first), size};
   }
-  /// From which end of a row, told by four of its sites, fans reach farther.
-  bool fan_from_front(std::span<const VertexId> row) {
-    if (row.size() < 4) return true;
-    const std::size_t third = row.size() / 3;
-    Triangle triangle{row[0], row[third], row[2 * third]};
+  /// Whether a chain, as far as four of its sites tell, bends more where it begins than where it ends: whether the fan
+  /// of its first site reaches farther than that of its last.
+  bool bends_most_in_front(std::span<const VertexId> chain) {
+    if (chain.size() < 4) return true;
+    const std::size_t third = chain.size() / 3;
+    Triangle triangle{chain[0], chain[third], chain[2 * third]};
     const int side = kernel_.orient(triangle);
     if (side < 0) std::swap(triangle[1], triangle[2]);
-    return side == 0 || !kernel_.conflict(triangle, row.back());
+    return side == 0 || !kernel_.conflict(triangle, chain.back());
   }
 
   std::uint64_t cells_made() const { return cells_made_; }
@@ -105,48 +105,48 @@ class Knitter {
     Bank(VertexId v, CellId hull) : end(v), alone(hull == kNoCell), open(hull) {}
   };
 
-  /// How many sites the fan of the first of a row triangulates, and to which side they bend: 1 is left. Since they lie
-  /// in a row, what bends to one side everywhere is convex.
+  /// How many sites the fan of the first of a chain triangulates, and to which side they bend: 1 is left. What leads
+  /// along an axis and bends to one side everywhere is convex.
   struct Reach {
     std::size_t size;
     int side;
   };
-  Reach fan_of(std::span<const VertexId> row) {
-    if (row.size() < 3) return {row.size(), 1};
-    const int side = kernel_.orient({row[0], row[1], row[2]});
+  Reach reach_of_fan(std::span<const VertexId> chain) {
+    if (chain.size() < 3) return {chain.size(), 1};
+    const int side = kernel_.orient({chain[0], chain[1], chain[2]});
     if (side == 0) return {2, 1};
-    Ray before = kernel_.ray(row[1], row[0]);
-    Ray last = kernel_.ray(row[2], row[0]);
+    Ray before = kernel_.ray(chain[1], chain[0]);
+    Ray last = kernel_.ray(chain[2], chain[0]);
     double turn = before.turn(last);
-    for (std::size_t i = 3; i < row.size(); ++i) {
-      if (kernel_.orient({row[i - 2], row[i - 1], row[i]}) != side) return {i, side};
-      const Ray next = kernel_.ray(row[i], row[0]);
+    for (std::size_t i = 3; i < chain.size(); ++i) {
+      if (kernel_.orient({chain[i - 2], chain[i - 1], chain[i]}) != side) return {i, side};
+      const Ray next = kernel_.ray(chain[i], chain[0]);
       const double next_turn = last.turn(next);
       const double both_turns = before.turn(next);
-      const bool conflict = side > 0
-                                ? kernel_.conflict_seen(before, last, next, turn, next_turn, both_turns, row[i],
-                                                        [&] {
-                                                          return Triangle{row[0], row[i - 2], row[i - 1]};
-                                                        })
-                                : kernel_.conflict_seen(last, before, next, -turn, both_turns, next_turn, row[i], [&] {
-                                    return Triangle{row[0], row[i - 1], row[i - 2]};
-                                  });
+      const bool conflict =
+          side > 0 ? kernel_.conflict_seen(before, last, next, turn, next_turn, both_turns, chain[i],
+                                           [&] {
+                                             return Triangle{chain[0], chain[i - 2], chain[i - 1]};
+                                           })
+                   : kernel_.conflict_seen(last, before, next, -turn, both_turns, next_turn, chain[i], [&] {
+                       return Triangle{chain[0], chain[i - 1], chain[i - 2]};
+                     });
       if (conflict) return {i, side};
       before = last;
       last = next;
       turn = next_turn;
     }
-    return {row.size(), side};
+    return {chain.size(), side};
   }
 
   /// Triangulates two sites or more by the fan of the first.
-  Part make_fan(std::span<const VertexId> row, int side, CellId first) {
-    const std::size_t n = row.size();
+  Part triangulate_by_fan(std::span<const VertexId> chain, int side, CellId first) {
+    const std::size_t n = chain.size();
     // Counter-clockwise, from the first on and back to it.
-    const auto corner = [&](std::size_t i) { return i % n == 0 ? row[0] : (side < 0 ? row[n - i] : row[i]); };
+    const auto corner = [&](std::size_t i) { return i % n == 0 ? chain[0] : (side < 0 ? chain[n - i] : chain[i]); };
     const auto ghost = [&](std::size_t i) { return CellId{raw(first) + static_cast<Index>(i % n)}; };
     const CellId last{raw(first) + static_cast<Index>(2 * n - 2)};
-    Part part{row[0], row[0], row[0], row[0], last};
+    Part part{chain[0], chain[0], chain[0], chain[0], last};
     for (std::size_t i = 0; i < n; ++i) {  // on the edge from corner i to the next
       const VertexId v = corner(i);
       complex_.set_vertices(ghost(i), {corner(i + 1), v, kGhost});
@@ -160,7 +160,7 @@ class Knitter {
     FacetId base = View::facet(ghost(0), kGhostSlot);
     for (std::size_t i = 1; i + 1 < n; ++i) {
       const CellId cell{raw(first) + static_cast<Index>(n + i - 1)};
-      complex_.set_vertices(cell, {row[0], corner(i), corner(i + 1)});
+      complex_.set_vertices(cell, {chain[0], corner(i), corner(i + 1)});
       complex_.link(View::facet(cell, 2), base);
       complex_.link(View::facet(cell, 0), View::facet(ghost(i), kGhostSlot));
       base = View::facet(cell, 1);

@@ -25,30 +25,28 @@ std::vector<double> sample_of(PointsView points, std::size_t count) {
 }
 
 /// Cells that divide and conquer makes for each point.
-double cells_made(PointsView points, const Flat& flat, const PlaneCuts& cuts) {
-  const Mesh mesh = triangulate_plane(points, flat, cuts, 1, {});
+double cells_made(PointsView points, const Flat& flat, const CutPlan& plan) {
+  const Mesh mesh = triangulate_plane(points, flat, plan, 1, {});
   return static_cast<double>(mesh.statistics.cells_created) / static_cast<double>(points.size());
 }
 
 }  // namespace
 
-PlaneCuts plane_cuts(PointsView points, const Flat& flat, int threads) {
+CutPlan plane_cuts(PointsView points, const Flat& flat, int threads) {
   constexpr std::size_t kLeast = 256;  // of a sample
   constexpr std::size_t kMost = 2048;
-  constexpr double kUsual = 9.0;  // cells a point; boxes make 7 where points fill an area
-  constexpr double kWorthwhile = 0.7;
+  constexpr double kMany = 9.0;  // cells a point; boxes make 7 where points fill an area
+  constexpr double kFew = 5.0;   // strips that hold what faces each other make 3.5
   const std::span<const int> axes(flat.axes.data(), 2);
   const std::size_t count = std::min(points.size() / 64, kMost);
   if (count < kLeast) return {curve_cuts(points, axes, threads)};
   const std::vector<double> coordinates = sample_of(points, count);
   const PointsView sample(coordinates, points.dimension());
-  const double by_boxes = cells_made(sample, flat, {curve_cuts(sample, axes)});
-  if (by_boxes < kUsual) return {curve_cuts(points, axes, threads)};
-  const std::array turned{axes[1], axes[0]};
-  const double across_first = cells_made(sample, flat, {strip_cuts(sample, axes)});
-  const double across_second = cells_made(sample, flat, {strip_cuts(sample, turned)});
-  if (std::min(across_first, across_second) > kWorthwhile * by_boxes) return {curve_cuts(points, axes, threads), true};
-  return {strip_cuts(points, across_first < across_second ? axes : std::span<const int>(turned), threads)};
+  if (cells_made(sample, flat, {curve_cuts(sample, axes)}) < kMany) return {curve_cuts(points, axes, threads)};
+  for (const std::array across : {std::array{axes[0], axes[1]}, std::array{axes[1], axes[0]}}) {
+    if (cells_made(sample, flat, {strip_cuts(sample, across)}) < kFew) return {strip_cuts(points, across, threads)};
+  }
+  return {curve_cuts(points, axes, threads), true};
 }
 
 }  // namespace delone

@@ -30,9 +30,9 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
   const AffineHull hull = affine_hull(points);
   const std::span axes = std::span(hull.flat.axes).first(static_cast<std::size_t>(std::max(hull.flat.dimension, 0)));
   if (axes.size() == 2 && !points.weighted()) {
-    const PlaneCuts cuts = plane_cuts(points, hull.flat, threads);
+    const CutPlan plan = plane_cuts(points, hull.flat, threads);
     const double ordered = watch.lap();
-    Mesh mesh = triangulate_plane(points, hull.flat, cuts, threads, progress);
+    Mesh mesh = triangulate_plane(points, hull.flat, plan, threads, progress);
     mesh.statistics.order_seconds += ordered;
     return mesh;
   }
@@ -47,13 +47,13 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
   return mesh;
 }
 
-Mesh triangulate_plane(PointsView points, const Flat& flat, const PlaneCuts& cuts, int threads,
+Mesh triangulate_plane(PointsView points, const Flat& flat, const CutPlan& plan, int threads,
                        const Progress& progress) {
   Stopwatch watch;
   Mesh mesh(Sites(points.dimension(), false, flat));
-  mesh.sites.append(points, cuts.cuts.order, 0, threads);
+  mesh.sites.append(points, plan.cuts.order, 0, threads);
   mesh.statistics.order_seconds = watch.lap();
-  divide_and_conquer(mesh, {cuts.cuts.cut.data(), cuts.cuts.cut.size()}, cuts.in_rows, threads, progress);
+  divide_and_conquer(mesh, {plan.cuts.cut.data(), plan.cuts.cut.size()}, plan.in_chains, threads, progress);
   mesh.statistics.insert_seconds = watch.lap();
   return mesh;
 }

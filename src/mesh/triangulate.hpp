@@ -17,10 +17,9 @@ namespace delone {
 /// @throws Cancelled when `progress` says so; std::bad_alloc
 Mesh triangulate_points(PointsView points, int threads, const Progress& progress);
 
-/// The triangulation of points in a plane, without weights, by divide and conquer along cuts of the two axes of their
+/// The triangulation of points in a plane, without weights, by divide and conquer along cuts on the two axes of their
 /// flat. Where all lie on a line it has ghosts only, where all stand at one place no cell. @throws as above
-Mesh triangulate_plane(PointsView points, const Flat& flat, const PlaneCuts& cuts, int threads,
-                       const Progress& progress);
+Mesh triangulate_plane(PointsView points, const Flat& flat, const CutPlan& plan, int threads, const Progress& progress);
 
 /// The triangulation of some sites; row i of it is sites[i].
 Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites);

@@ -15,6 +15,7 @@
 #include "delone/geometry/affine.hpp"
 #include "delone/mesh/export.hpp"
 #include "delone/order/brio.hpp"
+#include "mesh/plane_cuts.hpp"
 #include "support/expectations.hpp"
 #include "support/families.hpp"
 
@@ -73,7 +74,15 @@ PointSet around_ellipse(std::size_t n, std::size_t axis, double width) {
   return points;
 }
 
-/// In rows.
+PointSet turned_ellipse(std::size_t n) {
+  PointSet points = around_ellipse(n, 0, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    double& x = points.coordinates[2 * i];
+    double& y = points.coordinates[2 * i + 1];
+    std::tie(x, y) = std::pair(0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y);
+  }
+  return points;
+}
 PointSet ellipse_and_area(std::size_t n) {
   PointSet points = around_ellipse(n, 0, 0.0);
   Random random(12);
@@ -86,7 +95,7 @@ PointSet ellipse_and_area(std::size_t n) {
 
 TEST(DivideConquer, cells_do_not_depend_on_the_number_of_threads) {
   for (const PointSet& points : {uniform(2, 60000, 1), lattice(2, 60000, 250, 2), circle_of_24_bits(2, 40000, 3),
-                                 around_ellipse(60000, 1, 0.0), ellipse_and_area(60000)}) {
+                                 around_ellipse(60000, 1, 0.0), ellipse_and_area(60000), turned_ellipse(60000)}) {
     const AnyTriangulation one = build(points.view(), {.threads = 1});
     const AnyTriangulation many = build(points.view(), {.threads = 3});
     ASSERT_EQ(one.complex().slot_count(), many.complex().slot_count());
@@ -108,13 +117,13 @@ TEST(DivideConquer, cells_do_not_depend_on_the_number_of_threads) {
   }
 }
 
-/// Of points that span the plane, one at a time along the boxes of their curve, or in rows.
-AnyTriangulation divided(const PointSet& points, bool in_rows, std::size_t piece) {
+/// Of points that span the plane, one at a time along the boxes of their curve, or in chains.
+AnyTriangulation divided(const PointSet& points, bool in_chains, std::size_t piece) {
   const AffineHull hull = affine_hull(points.view());
   const CurveCuts cuts = curve_cuts(points.view(), std::span(hull.flat.axes).first(2));
   Mesh mesh(Sites(2, false, hull.flat));
   mesh.sites.append(points.view(), cuts.order, 0, 1);
-  divide_and_conquer(mesh, {cuts.cut.data(), cuts.cut.size()}, in_rows, 2, {}, piece);
+  divide_and_conquer(mesh, {cuts.cut.data(), cuts.cut.size()}, in_chains, 2, {}, piece);
   return AnyTriangulation(std::move(mesh));
 }
 
@@ -130,7 +139,7 @@ TEST(DivideConquer, small_pieces_lead_to_the_same) {
   }
 }
 
-TEST(DivideConquer, rows_lead_to_the_same) {
+TEST(DivideConquer, chains_lead_to_the_same) {
   for (const std::size_t n : {40U, 500U, 3000U}) {
     for (const PointSet& points : unweighted_families(2, n, 5)) {
       if (affine_hull(points.view()).flat.dimension != 2) continue;
@@ -143,17 +152,18 @@ TEST(DivideConquer, rows_lead_to_the_same) {
   }
 }
 
-/// Rows of all kinds: that bend to either side, more and more or less and less, so that fans turn left or right and
-/// begin at either end; with steps, ties, equal points, points beside them, and so far from the origin that most are
-/// cocircular or collinear by rounding.
-TEST(DivideConquer, every_kind_of_row_is_knit_as_its_points_are) {
+/// That bend to either side, more and more or less and less, so that fans turn left or right and begin at either end;
+/// with steps, ties, equal points, points beside them, and so far from the origin that most are cocircular or collinear
+/// by rounding; and so large that no filter serves, or so small that squares vanish.
+TEST(DivideConquer, every_kind_of_chain_is_knit_as_its_points_are) {
   Random random(17);
+  int knit = 0;
   for (int round = 0; round < 400; ++round) {
-    PointSet points{"row " + std::to_string(round), 2, {}, {}};
+    PointSet points{"chain " + std::to_string(round), 2, {}, {}};
     const double bend = (round % 2 == 0 ? 1.0 : -1.0) * std::ldexp(1.0, -(round % 7) * 4);
     const double slope = unit_random(random) - 0.5;
     const double far = round % 5 == 0 ? 0x1p40 : (round % 5 == 1 ? 0x1p20 : 0.0);
-    const double scale = round % 11 == 0 ? 0x1p1000 : 1.0;
+    const double scale = round % 11 == 0 ? 0x1p900 : (round % 11 == 1 ? 0x1p-600 : 1.0);
     const bool steps = round % 3 == 0;
     const std::size_t count = 33 + static_cast<std::size_t>(round) % 300;
     for (std::size_t i = 0; i < count; ++i) {
@@ -168,7 +178,9 @@ TEST(DivideConquer, every_kind_of_row_is_knit_as_its_points_are) {
     const AnyTriangulation t = divided(points, true, 1000);
     EXPECT_EQ(broken_invariant(t), "") << points;
     EXPECT_EQ(canonical_hash(t), incremental_hash(points)) << points;
+    knit += t.statistics().cells_created < divided(points, false, 1000).statistics().cells_created ? 1 : 0;
   }
+  EXPECT_GT(knit, 200);
 }
 
 /// Boxes would make 20 cells a point, strips along the curve 26.
@@ -188,24 +200,31 @@ TEST(DivideConquer, points_on_a_curve_are_cut_into_strips_across_it) {
 }
 
 /// By halves 20 cells a point.
-TEST(DivideConquer, pieces_of_a_turned_curve_are_knit_in_rows) {
+TEST(DivideConquer, pieces_of_a_turned_curve_are_knit_as_chains) {
   constexpr std::size_t kCount = 20000;
-  PointSet points = around_ellipse(kCount, 0, 0.0);
-  for (std::size_t i = 0; i < kCount; ++i) {
-    double& x = points.coordinates[2 * i];
-    double& y = points.coordinates[2 * i + 1];
-    std::tie(x, y) = std::pair(0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y);
-  }
+  const PointSet points = turned_ellipse(kCount);
   expect_incremental(points);
   EXPECT_LT(built(points).statistics().cells_created, 12 * kCount);
+  PointSet tilted{"in space", 3, {}, {}};
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const auto p = points.view()[i];
+    tilted.coordinates.insert(tilted.coordinates.end(), {p[0], p[1], 2.0 * p[0]});
+  }
+  const AnyTriangulation t = built(tilted);
+  EXPECT_EQ(t.affine_dimension(), 2);
+  EXPECT_LT(t.statistics().cells_created, 12 * kCount);
+  EXPECT_EQ(canonical_hash(t), canonical_hash(build(tilted.view(), {.method = Method::cavity})));
+  PointSet rounded = points;
+  for (double& x : rounded.coordinates) x = std::round(x * 0x1p17) * 0x1p-17;
+  expect_incremental(rounded);
+  EXPECT_LT(built(rounded).statistics().cells_created, 14 * kCount);
 }
 
-/// A row that is a fan takes its cells at once; one knit from end to end no more than a few a point, where halves would
-/// make 14; and where each step undoes the ones before (a thousand cells a point), rows begin anew.
-TEST(DivideConquer, rows_are_knit_from_the_end_that_all_see_unless_there_is_none) {
+/// make 14; and where each step undoes the ones before (a thousand cells a point), another begins.
+TEST(DivideConquer, chains_are_knit_from_the_end_that_all_see_unless_there_is_none) {
   constexpr std::size_t kCount = 8000;
   const auto cells_created = [&](auto curve) {
-    PointSet points{"row", 2, {}, {}};
+    PointSet points{"chain", 2, {}, {}};
     Random random(3);
     for (std::size_t i = 0; i < kCount; ++i) {
       const auto [x, y] = curve(unit_random(random));
@@ -217,6 +236,16 @@ TEST(DivideConquer, rows_are_knit_from_the_end_that_all_see_unless_there_is_none
   EXPECT_EQ(cells_created([](double t) { return std::pair(-t * t / 8, 1 - t); }), 2 * kCount - 2);
   EXPECT_LT(cells_created([](double t) { return std::pair(std::exp(-10 * t), std::exp(-20 * t) / 16); }), 6 * kCount);
   EXPECT_LT(cells_created([](double t) { return std::pair(t, 0.1 * std::pow(2 * t - 1, 3)); }), 25 * kCount);
+}
+
+TEST(DivideConquer, chains_are_sought_where_there_are_some) {
+  const auto in_chains = [](const PointSet& points) {
+    return plane_cuts(points.view(), affine_hull(points.view()).flat, 1).in_chains;
+  };
+  EXPECT_TRUE(in_chains(ellipse_and_area(60000)));
+  EXPECT_TRUE(in_chains(turned_ellipse(60000)));
+  EXPECT_FALSE(in_chains(around_ellipse(60000, 1, 0.0)));
+  EXPECT_FALSE(in_chains(uniform(2, 60000, 1)));
 }
 
 TEST(DivideConquer, points_around_a_curve_are_cut_into_boxes) {

@@ -46,7 +46,7 @@ Method method_named(const std::string& name);
 void require_served(Method method, int dimension, bool weighted);
 /// @throws InputError naming those that do, unless `method` takes an order of insertion, or none is asked for. Divide
 /// and conquer takes two: along Hilbert's curve cuts are those of its boxes, in lexicographic order they are vertical.
-/// By itself it chooses between boxes and strips across either axis.
+/// By itself it chooses between boxes, with and without chains, and strips across either axis.
 void require_ordered(Method method, Order order);
 
 }  // namespace delone
