@@ -21,7 +21,8 @@ std::optional<int> chain_axis(const Sites& sites, std::size_t begin, std::size_t
     length[axis] = (*most)[axis] - (*least)[axis];
   }
   const std::size_t axis = length[0] >= length[1] ? 0 : 1;
-  const auto [from, to] = ends[axis];
+  const double* const from = ends[axis].first;
+  const double* const to = ends[axis].second;
   // In units of the length along the axis: 0 to 1 along it, at most 1 across it.
   const double slope = (to[1 - axis] - from[1 - axis]) / length[axis];
   const double most = (1.0 + slope * slope) / 16.0;
