@@ -1,6 +1,6 @@
 // Points of the plane as a piece of divide and conquer that looks for chains, as it does of many points on curves: they
-// must be triangulated as by insertion. Input bytes: how x, how steps of y, and how far from a curve are coded; then
-// these three numbers of each point.
+// must be triangulated as by insertion. Input bytes: how x is coded, how much a curve bends, how far points may lie
+// beside it; then of each point x, and how far beside the curve it lies.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>

@@ -109,7 +109,7 @@ Part knit_chain(Knitter& knitter, std::span<VertexId> chain, CellId first) {
       part = knitter.merge(part, next.part);
       end += next.size;
     }
-    mender.add({part, static_cast<std::uint16_t>(64 - std::countr_zero(number))});
+    mender.add({part, static_cast<std::uint16_t>(64 - std::countr_zero(number))});  // as deep as in a balanced tree
   }
   return mender.finish().part;
 }
@@ -150,8 +150,9 @@ class PieceWork {
   /// Boxes that hold a chain as one, the others by halves.
   void add_chains(const Piece& box) {
     constexpr std::size_t kSmall = 32;
-    if (box.end - box.begin > kSmall && add_chain(box)) return;
-    const std::size_t middle = box.end - box.begin > kSmall ? middle_of(cut_, box) : box.end;
+    if (box.end - box.begin <= kSmall) return add_sites(box);
+    if (add_chain(box)) return;
+    const std::size_t middle = middle_of(cut_, box);
     if (middle == box.end) return add_sites(box);
     add_chains({box.begin, middle, 0});
     add_chains({middle, box.end, 0});

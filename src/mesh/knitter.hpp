@@ -105,12 +105,12 @@ class Knitter {
     Bank(VertexId v, CellId hull) : end(v), alone(hull == kNoCell), open(hull) {}
   };
 
-  /// How many sites the fan of the first of a chain triangulates, and to which side they bend: 1 is left. What leads
-  /// along an axis and bends to one side everywhere is convex.
   struct Reach {
     std::size_t size;
-    int side;
+    int side;  ///< to which they bend: 1 is left
   };
+  /// How many sites the fan of the first of a chain triangulates: what leads along an axis and bends to one side
+  /// everywhere is convex, and no site may be in conflict with the cell before it.
   Reach reach_of_fan(std::span<const VertexId> chain) {
     if (chain.size() < 3) return {chain.size(), 1};
     const int side = kernel_.orient({chain[0], chain[1], chain[2]});

@@ -220,7 +220,8 @@ TEST(DivideConquer, pieces_of_a_turned_curve_are_knit_as_chains) {
   EXPECT_LT(built(rounded).statistics().cells_created, 14 * kCount);
 }
 
-/// make 14; and where each step undoes the ones before (a thousand cells a point), another begins.
+/// A chain that is a fan takes its cells at once; one knit from end to end no more than a few a point, where halves
+/// would make 14; and where each step undoes the ones before (a thousand cells a point), another begins.
 TEST(DivideConquer, chains_are_knit_from_the_end_that_all_see_unless_there_is_none) {
   constexpr std::size_t kCount = 8000;
   const auto cells_created = [&](auto curve) {

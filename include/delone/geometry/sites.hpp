@@ -51,7 +51,7 @@ class Sites {
   std::size_t row_count() const { return vertex_of_.size(); }
   std::size_t present_count() const { return size() - empty_.size(); }
 
-  /// k leading coordinates per site; D - k others; weights, null when there are none.
+  /// k leading coordinates per site, and those of one; D - k others; weights, null when there are none.
   const double* leading() const { return leading_.data(); }
   const double* at(VertexId v) const { return leading_.data() + raw(v) * static_cast<std::size_t>(leading_count_); }
   const double* others() const { return others_.data(); }
