@@ -6,6 +6,7 @@
 #include "mesh/divide_conquer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cstddef>
@@ -143,9 +144,40 @@ class PieceWork {
     rank_ += count;
     return first;
   }
-  /// One by one.
+  /// Those of a box of two or three at once, the others one by one.
   void add_sites(const Piece& box) {
-    for_each_place(box, [&](VertexId v) { mender_.add({knitter_.single(v, take_cells(1)), cut_[raw(v)]}); });
+    for (std::size_t i = box.begin; i < box.end;) {
+      if (add_few<3>(i, box.end)) {
+        i += 3;
+      } else if (add_few<2>(i, box.end)) {
+        i += 2;
+      } else {
+        add_single(i, box);
+        ++i;
+      }
+    }
+  }
+  void add_single(std::size_t i, const Piece& box) {
+    if (i > box.begin && cut_[i] == CurveCuts::kSamePlace) return;
+    mender_.add({knitter_.single(VertexId{static_cast<Index>(i)}, take_cells(1)), cut_[i]});
+  }
+  /// False, and nothing is done, unless the N sites from i on are those of a box, and on no line when there are three.
+  template <std::size_t N>
+  bool add_few(std::size_t i, std::size_t end) {
+    if (end - i < N || !is_box(i, i + N)) return false;
+    std::array<VertexId, N> sites{};
+    for (std::size_t k = 0; k < N; ++k) sites[k] = VertexId{static_cast<Index>(i + k)};
+    const std::optional<Part> part = knitter_.few(sites, CellId{static_cast<Index>(2 * rank_)});
+    if (!part) return false;
+    mender_.add({*part, cut_[i]});
+    rank_ += N;
+    return true;
+  }
+  /// Whether none of these sites repeats another one, and each cut between them is deeper than those around.
+  bool is_box(std::size_t begin, std::size_t end) const {
+    const auto [least, deepest] = std::ranges::minmax(cut_.subspan(begin + 1, end - begin - 1));
+    return deepest != CurveCuts::kSamePlace && (begin == 0 || least > cut_[begin]) &&
+           (end == cut_.size() || least > cut_[end]);
   }
   /// Boxes that hold a chain as one, the others by halves.
   void add_chains(const Piece& box) {

@@ -2,11 +2,14 @@
 // [For92] 4.6, [GS85] section 9.
 // Departures: cells instead of edges, with ghost cells along the hull as everywhere here: a ghost cell of the seam
 // becomes the cell that is knit, an edge is deleted by a flip that makes two ghost cells, and a merge creates two
-// cells. Sites that are triangulated by a fan need not be knit at all.
+// cells. Two or three sites, and those that a fan triangulates, need not be knit at all.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -14,6 +17,7 @@
 #include "delone/geometry/kernel.hpp"
 #include "delone/mesh/inserter.hpp"
 #include "delone/topology/complex.hpp"
+#include "mesh/few_sites.hpp"
 
 namespace delone {
 
@@ -38,6 +42,16 @@ class Knitter {
   Part single(VertexId v, CellId last) {
     hull_[raw(v)] = kNoCell;
     return {v, v, v, v, last};
+  }
+
+  /// The part of two sites, which takes their cells, from `first` on.
+  Part few(const std::array<VertexId, 2>& v, CellId first) { return write(kCellsOfTwo, v, first); }
+  /// The same of three; nothing, and nothing is done, when they lie on a line.
+  std::optional<Part> few(const std::array<VertexId, 3>& v, CellId first) {
+    const int side = kernel_.orient(v);
+    if (side == 0) return std::nullopt;
+    const std::size_t turned = side < 0 ? 1 : 0;  // a place, so that there is no branch
+    return write(kCellsOfThree, std::array{v[0], v[1 + turned], v[2 - turned]}, first);
   }
 
   /// One part from two that a line across an axis separates; the sites of b follow those of a.
@@ -105,6 +119,35 @@ class Knitter {
     Bank(VertexId v, CellId hull) : end(v), alone(hull == kNoCell), open(hull) {}
   };
 
+  /// Writes the cells of a few sites, from `first` on.
+  template <std::size_t N>
+  Part write(const CellsOfFew<N>& cells, const std::array<VertexId, N>& v, CellId first) {
+    std::array<VertexId, N + 1> corners{};
+    std::ranges::copy(v, corners.begin());
+    corners[N] = kGhost;
+    const auto cell = [&](std::size_t i) { return CellId{raw(first) + static_cast<Index>(i)}; };
+    const Index first_facet = raw(View::facet(first, 0));
+    for (std::size_t c = 0; c < cells.kCount; ++c) {
+      for (int i = 0; i < 3; ++i) {
+        const auto slot = static_cast<std::size_t>(i);
+        complex_.set_vertex(cell(c), i, corners[cells.corners[c][slot]]);
+        complex_.set_twin(cell(c), i, FacetId{first_facet + cells.twins[c][slot]});
+      }
+    }
+    Part part{v[0], v[0], v[0], v[0], cell(cells.kCount)};
+    for (std::size_t i = 1; i < N; ++i) extend(part, v[i]);
+    for (std::size_t i = 0; i < N; ++i) hull_[raw(v[i])] = cell(i);
+    cells_made_ += cells.kCount;
+    return part;
+  }
+
+  void extend(Part& part, VertexId v) const {
+    part.left = first_by_x(part.left, v);
+    part.right = last_by_x(part.right, v);
+    part.bottom = first_by_y(part.bottom, v);
+    part.top = last_by_y(part.top, v);
+  }
+
   struct Reach {
     std::size_t size;
     int side;  ///< to which they bend: 1 is left
@@ -152,10 +195,7 @@ class Knitter {
       complex_.set_vertices(ghost(i), {corner(i + 1), v, kGhost});
       complex_.link(View::facet(ghost(i), kTail), View::facet(ghost(i + 1), kHead));
       hull_[raw(v)] = ghost(i);
-      if (x_before(v, part.left)) part.left = v;
-      if (x_before(part.right, v)) part.right = v;
-      if (y_before(v, part.bottom)) part.bottom = v;
-      if (y_before(part.top, v)) part.top = v;
+      extend(part, v);
     }
     FacetId base = View::facet(ghost(0), kGhostSlot);
     for (std::size_t i = 1; i + 1 < n; ++i) {
@@ -173,22 +213,27 @@ class Knitter {
   double x(VertexId v) const { return kernel_.at(v)[0]; }
   double y(VertexId v) const { return kernel_.at(v)[1]; }
   // Without branches: which of two vertices comes first nobody can predict.
+  static VertexId select(bool second, VertexId a, VertexId b) {
+    return VertexId{raw(a) ^ ((raw(a) ^ raw(b)) & (Index{0} - Index{second}))};
+  }
   bool x_before(VertexId a, VertexId b) const {
     return static_cast<int>(x(a) < x(b)) | (static_cast<int>(x(a) == x(b)) & static_cast<int>(y(a) < y(b)));
   }
   bool y_before(VertexId a, VertexId b) const {
     return static_cast<int>(y(a) < y(b)) | (static_cast<int>(y(a) == y(b)) & static_cast<int>(x(a) < x(b)));
   }
+  VertexId first_by_x(VertexId a, VertexId b) const { return select(x_before(b, a), a, b); }
+  VertexId last_by_x(VertexId a, VertexId b) const { return select(x_before(a, b), a, b); }
+  VertexId first_by_y(VertexId a, VertexId b) const { return select(y_before(b, a), a, b); }
+  VertexId last_by_y(VertexId a, VertexId b) const { return select(y_before(a, b), a, b); }
 
   Part beside(const Part& left, const Part& right, CellId last) {
     knit(left.right, right.left);
-    return {left.left, right.right, y_before(left.bottom, right.bottom) ? left.bottom : right.bottom,
-            y_before(left.top, right.top) ? right.top : left.top, last};
+    return {left.left, right.right, first_by_y(left.bottom, right.bottom), last_by_y(left.top, right.top), last};
   }
   Part above(const Part& lower, const Part& upper, CellId last) {
     knit(lower.top, upper.bottom);
-    return {x_before(lower.left, upper.left) ? lower.left : upper.left,
-            x_before(lower.right, upper.right) ? upper.right : lower.right, lower.bottom, upper.top, last};
+    return {first_by_x(lower.left, upper.left), last_by_x(lower.right, upper.right), lower.bottom, upper.top, last};
   }
 
   /// Knits two parts, from vertices that face each other across the line between them.

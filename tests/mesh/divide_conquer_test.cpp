@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -40,6 +42,27 @@ TEST(DivideConquer, agrees_with_the_incremental_method_on_every_family) {
     for (const PointSet& points : unweighted_families(2, n, n)) expect_incremental(points);
   }
   for (const PointSet& points : unweighted_families(2, 3000, 1)) expect_incremental(points);
+}
+
+/// Every way in which three or four sites may lie: on lines, on circles, one inside a triangle, in any order.
+TEST(DivideConquer, agrees_on_every_few_places_of_a_lattice) {
+  for (unsigned chosen = 0; chosen < 1U << 16; ++chosen) {
+    if (std::popcount(chosen) < 3 || std::popcount(chosen) > 4) continue;
+    PointSet points{"few", 2, {}, {}};
+    for (unsigned place = 0; place < 16; ++place) {
+      if ((chosen >> place & 1) == 0) continue;
+      points.coordinates.insert(points.coordinates.end(), {place % 4 * 1.0, place / 4 * 1.0});
+    }
+    expect_incremental(points);
+  }
+}
+
+TEST(DivideConquer, three_sites_make_no_cell_in_vain) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const PointSet points = uniform(2, 3, seed);
+    expect_incremental(points);
+    EXPECT_EQ(built(points).statistics().cells_created, 4U) << points;
+  }
 }
 
 TEST(DivideConquer, agrees_on_points_that_crowd_deeper_and_deeper) {

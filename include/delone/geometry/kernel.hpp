@@ -52,7 +52,11 @@ inline constexpr double kU = 0x1p-53;
 /// Coordinates up to here: products of eight differences and a lift stay below 2^1001.
 inline constexpr double kLargest = 0x1p99;
 
-inline int sign_beyond(double value, double bound) { return value > bound ? 1 : (value < -bound ? -1 : kUnsure); }
+inline int sign_beyond(double value, double bound) {
+  if (!(std::abs(value) > bound)) [[unlikely]]
+    return kUnsure;
+  return value > 0.0 ? 1 : -1;
+}
 
 /// 2^exponent; zero where that is no normal number, infinity where it is too large.
 inline double power_of_two(int exponent) {

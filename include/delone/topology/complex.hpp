@@ -143,7 +143,7 @@ class ComplexView {
     const int past = slot + by - (K + 1);
     return past + ((K + 1) & (past >> 31));
   }
-  static FacetId facet(CellId c, int i) { return FacetId{raw(c) << kSlotBits | static_cast<Index>(i)}; }
+  static constexpr FacetId facet(CellId c, int i) { return FacetId{raw(c) << kSlotBits | static_cast<Index>(i)}; }
 
   VertexId vertex(CellId c, int i) const { return VertexId{base(c)[i]}; }
   FacetId twin(CellId c, int i) const { return FacetId{base(c)[kCorners + static_cast<Index>(i)]}; }
