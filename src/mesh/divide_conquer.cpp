@@ -90,25 +90,22 @@ std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut, std::size_t mos
 
 /// Knits the sites of a sorted chain. A piece of a curve, triangulated alone, is a fan but for details: all see the end
 /// where it bends most. Of two halves of it one is triangulated in vain. So the chain is knit from that end to the
-/// other, one fan after the next. Where this makes many cells another chain begins; chains are merged two by two, then.
+/// other, site by site. Where this makes many cells another chain begins; chains are merged two by two, then.
 Part knit_chain(Knitter& knitter, std::span<VertexId> chain, CellId first) {
   constexpr std::uint64_t kMany = 8;  // for each site; 5 are usual
   constexpr std::uint64_t kSlack = 64;
   if (!knitter.bends_most_in_front(chain)) std::ranges::reverse(chain);
-  const auto fan_at = [&](std::size_t i) {
-    return knitter.fan(chain.subspan(i), CellId{raw(first) + static_cast<Index>(2 * i)});
+  const auto single = [&](std::size_t i) {
+    return knitter.single(chain[i], CellId{raw(first) + static_cast<Index>(2 * i)});
   };
   Mender mender(knitter);
   std::size_t end = 0;
   for (std::size_t number = 0; end < chain.size(); ++number) {
     const std::size_t begin = end;
     const std::uint64_t made = knitter.cells_made();
-    auto [part, size] = fan_at(begin);
-    end += size;
+    Part part = single(end++);
     while (end < chain.size() && knitter.cells_made() - made < kMany * (end - begin) + kSlack) {
-      const Knitter::Fan next = fan_at(end);
-      part = knitter.merge(part, next.part);
-      end += next.size;
+      part = knitter.merge(part, single(end++));
     }
     mender.add({part, static_cast<std::uint16_t>(64 - std::countr_zero(number))});  // as deep as in a balanced tree
   }

@@ -1,6 +1,7 @@
 // Delaunay triangulations of the plane by divide and conquer.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,6 +11,13 @@
 
 namespace delone {
 
+/// How large a piece serves best: small enough for a cache, or when it holds chains, which should be long, a
+/// thirty-second of all.
+constexpr std::size_t piece_size(std::size_t sites, bool in_chains) {
+  constexpr std::size_t kInCache = 1 << 13;
+  return in_chains ? std::max(kInCache, sites / 32) : kInCache;
+}
+
 /// Triangulates the sites of a mesh of dimension 2 without cells and weights, which stand in the order of a CurveCuts.
 /// @param cut        that of the same
 /// @param in_chains  whether it pays to look for boxes whose sites lie along a line, as a piece of a curve does
@@ -18,6 +26,6 @@ namespace delone {
 /// Cost: O(n log n) for points that a few levels of boxes part evenly, O(n) expected for uniform ones [Dwyer87].
 /// @throws Cancelled when `progress` says so; std::bad_alloc. The mesh is then half-built: callers work on their own.
 void divide_and_conquer(Mesh& mesh, std::span<const std::uint16_t> cut, bool in_chains, int threads,
-                        const Progress& progress, std::size_t piece = 1 << 13);
+                        const Progress& progress, std::size_t piece);
 
 }  // namespace delone

@@ -2,7 +2,7 @@
 // [For92] 4.6, [GS85] section 9.
 // Departures: cells instead of edges, with ghost cells along the hull as everywhere here: a ghost cell of the seam
 // becomes the cell that is knit, an edge is deleted by a flip that makes two ghost cells, and a merge creates two
-// cells. Two or three sites, and those that a fan triangulates, need not be knit at all.
+// cells. Two or three sites need not be knit at all.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ class Knitter {
   using Triangle = Kernel<2>::Cell;
 
  public:
-  /// @param hull  per site, see hull_; set by single() and fan()
+  /// @param hull  per site, see hull_; set by single() and few()
   Knitter(Mesh& mesh, Buffer<CellId>& hull) : complex_(mesh.complex), kernel_(mesh.sites), hull_(hull.data()) {}
 
   /// The part of one site, with its two cells.
@@ -62,19 +62,8 @@ class Knitter {
     return y(a.top) < y(b.bottom) ? above(a, b, b.last) : above(b, a, b.last);
   }
 
-  struct Fan {
-    Part part;
-    std::size_t size;  ///< of how many sites
-  };
-  /// The part of some sites that begin a chain, as many as the fan of the first triangulates. It takes their cells,
-  /// from `first` on.
-  /// @param chain  sites each of which has a larger coordinate on some axis than the one before, or each a smaller one
-  Fan fan(std::span<const VertexId> chain, CellId first) {
-    const auto [size, side] = reach_of_fan(chain);
-    return {size == 1 ? single(chain[0], first) : triangulate_by_fan(chain.first(size), side, first), size};
-  }
-  /// Whether a chain, as far as four of its sites tell, bends more where it begins than where it ends: whether the fan
-  /// of its first site reaches farther than that of its last.
+  /// Whether a chain, as far as four of its sites tell, bends more where it begins than where it ends, so that its
+  /// first site is a corner of more cells than its last.
   bool bends_most_in_front(std::span<const VertexId> chain) {
     if (chain.size() < 4) return true;
     const std::size_t third = chain.size() / 3;
@@ -146,68 +135,6 @@ class Knitter {
     part.right = last_by_x(part.right, v);
     part.bottom = first_by_y(part.bottom, v);
     part.top = last_by_y(part.top, v);
-  }
-
-  struct Reach {
-    std::size_t size;
-    int side;  ///< to which they bend: 1 is left
-  };
-  /// How many sites the fan of the first of a chain triangulates: what leads along an axis and bends to one side
-  /// everywhere is convex, and no site may be in conflict with the cell before it.
-  Reach reach_of_fan(std::span<const VertexId> chain) {
-    if (chain.size() < 3) return {chain.size(), 1};
-    const int side = kernel_.orient({chain[0], chain[1], chain[2]});
-    if (side == 0) return {2, 1};
-    Ray before = kernel_.ray(chain[1], chain[0]);
-    Ray last = kernel_.ray(chain[2], chain[0]);
-    double turn = before.turn(last);
-    for (std::size_t i = 3; i < chain.size(); ++i) {
-      if (kernel_.orient({chain[i - 2], chain[i - 1], chain[i]}) != side) return {i, side};
-      const Ray next = kernel_.ray(chain[i], chain[0]);
-      const double next_turn = last.turn(next);
-      const double both_turns = before.turn(next);
-      const bool conflict =
-          side > 0 ? kernel_.conflict_seen(before, last, next, turn, next_turn, both_turns, chain[i],
-                                           [&] {
-                                             return Triangle{chain[0], chain[i - 2], chain[i - 1]};
-                                           })
-                   : kernel_.conflict_seen(last, before, next, -turn, both_turns, next_turn, chain[i], [&] {
-                       return Triangle{chain[0], chain[i - 1], chain[i - 2]};
-                     });
-      if (conflict) return {i, side};
-      before = last;
-      last = next;
-      turn = next_turn;
-    }
-    return {chain.size(), side};
-  }
-
-  /// Triangulates two sites or more by the fan of the first.
-  Part triangulate_by_fan(std::span<const VertexId> chain, int side, CellId first) {
-    const std::size_t n = chain.size();
-    // Counter-clockwise, from the first on and back to it.
-    const auto corner = [&](std::size_t i) { return i % n == 0 ? chain[0] : (side < 0 ? chain[n - i] : chain[i]); };
-    const auto ghost = [&](std::size_t i) { return CellId{raw(first) + static_cast<Index>(i % n)}; };
-    const CellId last{raw(first) + static_cast<Index>(2 * n - 2)};
-    Part part{chain[0], chain[0], chain[0], chain[0], last};
-    for (std::size_t i = 0; i < n; ++i) {  // on the edge from corner i to the next
-      const VertexId v = corner(i);
-      complex_.set_vertices(ghost(i), {corner(i + 1), v, kGhost});
-      complex_.link(View::facet(ghost(i), kTail), View::facet(ghost(i + 1), kHead));
-      hull_[raw(v)] = ghost(i);
-      extend(part, v);
-    }
-    FacetId base = View::facet(ghost(0), kGhostSlot);
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-      const CellId cell{raw(first) + static_cast<Index>(n + i - 1)};
-      complex_.set_vertices(cell, {chain[0], corner(i), corner(i + 1)});
-      complex_.link(View::facet(cell, 2), base);
-      complex_.link(View::facet(cell, 0), View::facet(ghost(i), kGhostSlot));
-      base = View::facet(cell, 1);
-    }
-    complex_.link(base, View::facet(ghost(n - 1), kGhostSlot));
-    cells_made_ += 2 * n - 2;
-    return part;
   }
 
   double x(VertexId v) const { return kernel_.at(v)[0]; }

@@ -53,7 +53,8 @@ Mesh triangulate_plane(PointsView points, const Flat& flat, const CutPlan& plan,
   Mesh mesh(Sites(points.dimension(), false, flat));
   mesh.sites.append(points, plan.cuts.order, 0, threads);
   mesh.statistics.order_seconds = watch.lap();
-  divide_and_conquer(mesh, {plan.cuts.cut.data(), plan.cuts.cut.size()}, plan.in_chains, threads, progress);
+  divide_and_conquer(mesh, {plan.cuts.cut.data(), plan.cuts.cut.size()}, plan.in_chains, threads, progress,
+                     piece_size(mesh.sites.size(), plan.in_chains));
   mesh.statistics.insert_seconds = watch.lap();
   return mesh;
 }
