@@ -42,6 +42,7 @@ class KeyedRows {
   Index row(std::size_t i) const { return row_of(words_[i]); }
   std::uint64_t key(std::size_t i) const { return words_[i] >> row_bits_; }
   void set_key(std::size_t i, std::uint64_t key) { words_[i] = key << row_bits_ | row(i); }
+  void set_row(std::size_t i, Index row) { words_[i] = key(i) << row_bits_ | row; }
 
   /// Sorts [begin, end) by place(row), and equal ones by their rows.
   void sort_by(std::size_t begin, std::size_t end, const auto& place) {
@@ -166,26 +167,48 @@ constexpr std::size_t kFew = 8;
 constexpr int kLevels = 3;
 static_assert(kLevels * kMaxDimension <= kWord);
 
+/// Rows of one key.
+struct Run {
+  std::size_t begin, end;
+};
+
 /// Sorts up to kFew rows in lexicographic order. Cuts across a later axis are deeper than all across an earlier one.
 /// @param depth  no cut is less deep  @param cuts  as below
-void sort_few(PointsView points, std::span<const int> axes, KeyedRows& rows, std::size_t begin, std::size_t end,
-              int depth, std::span<std::uint16_t> cuts) {
-  using Place = std::array<double, kMaxDimension>;
-  const auto place = [&](Index row) {
-    Place x{};
-    for (std::size_t j = 0; j < axes.size(); ++j) x[j] = points[row][static_cast<std::size_t>(axes[j])];
-    return x;
-  };
-  rows.sort_by(begin, end, place);
+void sort_few(PointsView points, std::span<const int> axes, KeyedRows& rows, const Run& run, int depth,
+              std::span<std::uint16_t> cuts) {
+  using Placed = std::pair<std::array<double, kMaxDimension>, Index>;
+  std::array<Placed, kFew> room;
+  const std::span<Placed> few = std::span(room).first(run.end - run.begin);
+  for (std::size_t i = 0; i < few.size(); ++i) {
+    auto& [place, row] = few[i] = {{}, rows.row(run.begin + i)};
+    for (std::size_t j = 0; j < axes.size(); ++j) place[j] = points[row][static_cast<std::size_t>(axes[j])];
+  }
+  std::ranges::sort(few);
+  for (std::size_t i = 0; i < few.size(); ++i) rows.set_row(run.begin + i, few[i].second);
   if (cuts.empty()) return;
   std::array<unsigned, kMaxDimension> steps{};
-  for (std::size_t i = begin + 1; i < end; ++i) {
-    const Place low = place(rows.row(i - 1));
-    const auto axis = static_cast<std::size_t>(std::ranges::mismatch(low, place(rows.row(i))).in1 - low.begin());
+  for (std::size_t i = 1; i < few.size(); ++i) {
+    const auto& low = few[i - 1].first;
+    const auto axis = static_cast<std::size_t>(std::ranges::mismatch(low, few[i].first).in1 - low.begin());
     if (axis == kMaxDimension) continue;  // one place
     const int level = kLevels - 1 - std::countr_zero(++steps[axis]);
-    cuts[i] = static_cast<std::uint16_t>(depth + kLevels * static_cast<int>(axis) + level);
+    cuts[run.begin + i] = static_cast<std::uint16_t>(depth + kLevels * static_cast<int>(axis) + level);
   }
+}
+
+/// The same of many runs, whose points are anywhere in memory.
+void sort_runs(PointsView points, std::span<const int> axes, KeyedRows& rows, std::span<const Run> runs, int threads,
+               int depth, std::span<std::uint16_t> cuts) {
+  constexpr std::size_t kAhead = 8;
+  for_chunks(runs.size(), threads, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i + kAhead < end) {
+        const Run& later = runs[i + kAhead];
+        for (std::size_t j = later.begin; j < later.end; ++j) __builtin_prefetch(points[rows.row(j)].data());
+      }
+      sort_few(points, axes, rows, runs[i], depth, cuts);
+    }
+  });
 }
 
 /// Sorts rows along the curve through the first K of the axes; those that these do not tell apart, along the next K.
@@ -205,10 +228,6 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
   while (!jobs.empty()) {
     const Job job = jobs.back();
     jobs.pop_back();
-    if (job.grids > 0 && job.end - job.begin <= kFew) {
-      sort_few(points, axes.subspan(job.axis), rows, job.begin, job.end, job.grids * kWord, cuts);
-      continue;
-    }
     const std::span<const int> next_axes = axes.subspan(job.axis, K);
     const Cube<K> cube(points, next_axes, rows, job.begin, job.end, threads);
     if (!(cube.extent > 0.0)) {
@@ -233,21 +252,29 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
     });
     rows.sort(job.begin, job.end, bits * K + round_bits, threads);
     // Rows of one key belong to the chunk in which the first of them stands.
+    std::vector<Run> runs;  // of a few rows
     std::mutex mutex;
     for_chunks(job.end - job.begin, threads, [&](std::size_t first, std::size_t last, std::size_t) {
+      std::vector<Run> found;
       std::size_t begin = job.begin + first;
       while (begin > job.begin && begin < job.begin + last && rows.key(begin) == rows.key(begin - 1)) ++begin;
       for (std::size_t end; begin < job.begin + last; begin = end) {
         for (end = begin + 1; end < job.end && rows.key(end) == rows.key(begin);) ++end;
-        if (end - begin > crowd && end - begin < job.end - job.begin) {
-          const std::lock_guard lock(mutex);
-          jobs.push_back({begin, end, 0, job.grids + 1, job.axis});
-        }
+        if (end - begin > crowd && end - begin < job.end - job.begin) found.push_back({begin, end});
         if (cuts.empty() || begin == job.begin) continue;
         const int common = std::countl_zero(rows.key(begin) ^ rows.key(begin - 1));
         cuts[begin] = static_cast<std::uint16_t>(job.grids * kWord + common);
       }
+      const std::lock_guard lock(mutex);
+      for (const Run& run : found) {
+        if (run.end - run.begin <= kFew) {
+          runs.push_back(run);
+        } else {
+          jobs.push_back({run.begin, run.end, 0, job.grids + 1, job.axis});
+        }
+      }
     });
+    sort_runs(points, axes.subspan(job.axis), rows, runs, threads, (job.grids + 1) * kWord, cuts);
   }
 }
 

@@ -209,13 +209,21 @@ TEST(CurveCuts, the_smallest_numbers_beside_the_largest_are_parted) {
 }
 
 TEST(CurveCuts, threads_do_not_show) {
-  const PointSet points = lattice(2, 300000, 1000, 1);
-  for (const auto& cut : {curve_cuts, strip_cuts}) {
-    const CurveCuts one = cut(points.view(), all_axes(2), 1);
-    const CurveCuts many = cut(points.view(), all_axes(2), 3);
-    EXPECT_EQ(one.order, many.order);
-    EXPECT_TRUE(std::ranges::equal(std::ranges::subrange(one.cut.begin() + 1, one.cut.end()),
-                                   std::ranges::subrange(many.cut.begin() + 1, many.cut.end())));
+  PointSet curve{"few in a cell of the grid", 2, {100, 100}, {}};
+  Random random(5);
+  for (int i = 0; i < 100000; ++i) {
+    const double x = unit_random(random);
+    curve.coordinates.insert(curve.coordinates.end(), {x, x * x});
+  }
+  for (const PointSet& points : {lattice(2, 300000, 1000, 1), curve}) {
+    for (const auto& cut : {curve_cuts, strip_cuts}) {
+      const CurveCuts one = cut(points.view(), all_axes(2), 1);
+      const CurveCuts many = cut(points.view(), all_axes(2), 3);
+      EXPECT_EQ(one.order, many.order);
+      EXPECT_TRUE(std::ranges::equal(std::ranges::subrange(one.cut.begin() + 1, one.cut.end()),
+                                     std::ranges::subrange(many.cut.begin() + 1, many.cut.end())));
+      EXPECT_TRUE(parts_everything(points.view(), one, 0, points.size())) << points.name;
+    }
   }
 }
 
