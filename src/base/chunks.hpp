@@ -18,8 +18,8 @@ namespace delone {
 
 inline constexpr std::size_t kChunk = 4096;
 
-/// Calls f in a frame of the stack that shares no cache line with the caller's. What others read there would else travel
-/// between their caches and that of a thread that writes its variables beside it: twice the time, all together.
+/// Calls f in a frame of the stack that shares no cache line with the caller's. What others read there would else
+/// travel between their caches and that of a thread that writes its variables beside it: twice the time, all together.
 template <class F>
 [[gnu::noinline]] void call_apart(const F& f) {
   alignas(128) std::byte line[128];
