@@ -25,7 +25,7 @@ std::optional<int> chain_axis(const Sites& sites, std::size_t begin, std::size_t
   const double* const to = ends[axis].second;
   // In units of the length along the axis: 0 to 1 along it, at most 1 across it.
   const double slope = (to[1 - axis] - from[1 - axis]) / length[axis];
-  const double most = (1.0 + slope * slope) / 16.0;
+  const double most = (1.0 + slope * slope) / 32.0;
   const bool close = std::ranges::all_of(x, [&](const double* p) {
     const double along = (p[axis] - from[axis]) / length[axis];
     const double across = (p[1 - axis] - from[1 - axis]) / length[axis];

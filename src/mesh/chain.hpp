@@ -11,7 +11,7 @@
 namespace delone {
 
 /// The leading axis along which sites [begin, end) of the plane lie, as far as eight of them tell: these stay as close
-/// to a line as a sixteenth of its length.
+/// to a line as a thirty-second of its length.
 std::optional<int> chain_axis(const Sites& sites, std::size_t begin, std::size_t end);
 
 /// Sorts chains, in memory that it keeps.
