@@ -92,7 +92,7 @@ std::vector<Piece> pieces_of(std::span<const std::uint16_t> cut, std::size_t mos
 /// where it bends most. Of two halves of it one is triangulated in vain. So the chain is knit from that end to the
 /// other, site by site. Where this makes many cells another chain begins; chains are merged two by two, then.
 Part knit_chain(Knitter& knitter, std::span<VertexId> chain, CellId first) {
-  constexpr std::uint64_t kMany = 8;  // for each site; 5 are usual
+  constexpr std::uint64_t kMany = 8;  // for each site; 3 to 6 are usual
   constexpr std::uint64_t kSlack = 64;
   if (!knitter.bends_most_in_front(chain)) std::ranges::reverse(chain);
   const auto single = [&](std::size_t i) {
@@ -135,9 +135,11 @@ class PieceWork {
       if (i == box.begin || cut_[i] != CurveCuts::kSamePlace) visit(VertexId{static_cast<Index>(i)});
     }
   }
-  /// The first cell of the next site, or of the next `count`.
+  /// The first cell of the next site.
+  CellId next_cells() const { return CellId{static_cast<Index>(2 * rank_)}; }
+  /// The same, and those of the next `count` are taken.
   CellId take_cells(std::size_t count) {
-    const CellId first{static_cast<Index>(2 * rank_)};
+    const CellId first = next_cells();
     rank_ += count;
     return first;
   }
@@ -149,14 +151,11 @@ class PieceWork {
       } else if (add_few<2>(i, box.end)) {
         i += 2;
       } else {
-        add_single(i, box);
+        const bool repeats = i > box.begin && cut_[i] == CurveCuts::kSamePlace;
+        if (!repeats) mender_.add({knitter_.single(VertexId{static_cast<Index>(i)}, take_cells(1)), cut_[i]});
         ++i;
       }
     }
-  }
-  void add_single(std::size_t i, const Piece& box) {
-    if (i > box.begin && cut_[i] == CurveCuts::kSamePlace) return;
-    mender_.add({knitter_.single(VertexId{static_cast<Index>(i)}, take_cells(1)), cut_[i]});
   }
   /// False, and nothing is done, unless the N sites from i on are those of a box, and on no line when there are three.
   template <std::size_t N>
@@ -164,10 +163,10 @@ class PieceWork {
     if (end - i < N || !is_box(i, i + N)) return false;
     std::array<VertexId, N> sites{};
     for (std::size_t k = 0; k < N; ++k) sites[k] = VertexId{static_cast<Index>(i + k)};
-    const std::optional<Part> part = knitter_.few(sites, CellId{static_cast<Index>(2 * rank_)});
+    const std::optional<Part> part = knitter_.few(sites, next_cells());
     if (!part) return false;
+    take_cells(N);
     mender_.add({*part, cut_[i]});
-    rank_ += N;
     return true;
   }
   /// Whether none of these sites repeats another one, and each cut between them is deeper than those around.

@@ -11,11 +11,11 @@
 
 namespace delone {
 
-/// How large a piece serves best: small enough for a cache, or when it holds chains, which should be long, a
-/// thirty-second of all.
+/// How large a piece serves best: small enough for a cache; when it holds chains, which should be long, a thirty-second
+/// of all, so that there still is something to share, up to where it no longer pays.
 constexpr std::size_t piece_size(std::size_t sites, bool in_chains) {
   constexpr std::size_t kInCache = 1 << 13;
-  return in_chains ? std::max(kInCache, sites / 32) : kInCache;
+  return in_chains ? std::clamp<std::size_t>(sites / 32, kInCache, 1 << 17) : kInCache;
 }
 
 /// Triangulates the sites of a mesh of dimension 2 without cells and weights, which stand in the order of a CurveCuts.

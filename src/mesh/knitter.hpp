@@ -139,7 +139,7 @@ class Knitter {
 
   double x(VertexId v) const { return kernel_.at(v)[0]; }
   double y(VertexId v) const { return kernel_.at(v)[1]; }
-  // Without branches: which of two vertices comes first nobody can predict.
+  /// Without a branch: which of two vertices comes first nobody can predict.
   static VertexId select(bool second, VertexId a, VertexId b) {
     return VertexId{raw(a) ^ ((raw(a) ^ raw(b)) & (Index{0} - Index{second}))};
   }

@@ -36,7 +36,7 @@ CutPlan plane_cuts(PointsView points, const Flat& flat, int threads) {
   constexpr std::size_t kLeast = 256;  // of a sample
   constexpr std::size_t kMost = 2048;
   constexpr double kMany = 9.0;  // cells a point; boxes make 7 where points fill an area
-  constexpr double kFew = 5.0;   // strips that hold what faces each other make 3.5
+  constexpr double kFew = 5.0;   // strips that hold what faces each other make 3.3
   const std::span<const int> axes(flat.axes.data(), 2);
   const std::size_t count = std::min(points.size() / 64, kMost);
   if (count < kLeast) return {curve_cuts(points, axes, threads)};

@@ -180,7 +180,8 @@ void sort_few(PointsView points, std::span<const int> axes, KeyedRows& rows, con
   std::array<Placed, kFew> room;
   const std::span<Placed> few = std::span(room).first(run.end - run.begin);
   for (std::size_t i = 0; i < few.size(); ++i) {
-    auto& [place, row] = few[i] = {{}, rows.row(run.begin + i)};
+    auto& [place, row] = few[i];
+    row = rows.row(run.begin + i);
     for (std::size_t j = 0; j < axes.size(); ++j) place[j] = points[row][static_cast<std::size_t>(axes[j])];
   }
   std::ranges::sort(few);

@@ -44,7 +44,8 @@ TEST(DivideConquer, agrees_with_the_incremental_method_on_every_family) {
   for (const PointSet& points : unweighted_families(2, 3000, 1)) expect_incremental(points);
 }
 
-/// Every way in which three or four sites may lie: on lines, on circles, one inside a triangle, in any order.
+/// Every way in which three or four sites may lie: three on a line with one beside it, on circles, one inside a
+/// triangle.
 TEST(DivideConquer, agrees_on_every_few_places_of_a_lattice) {
   for (unsigned chosen = 0; chosen < 1U << 16; ++chosen) {
     if (std::popcount(chosen) < 3 || std::popcount(chosen) > 4) continue;
@@ -63,6 +64,25 @@ TEST(DivideConquer, three_sites_make_no_cell_in_vain) {
     expect_incremental(points);
     EXPECT_EQ(built(points).statistics().cells_created, 4U) << points;
   }
+}
+
+/// Among others, too: what is made of two threes far from each other is their cells, those between them, and two
+/// ghosts.
+TEST(DivideConquer, boxes_of_three_sites_are_found_among_others) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    PointSet points = uniform(2, 6, seed);
+    for (std::size_t i = 0; i < 3; ++i) points.coordinates[2 * i + seed % 2] += 100.0;
+    const AnyTriangulation t = built(points);
+    expect_incremental(points);
+    EXPECT_EQ(t.statistics().cells_created, 4 + 4 + (t.cell_count() - 2) + 2) << points;
+  }
+}
+
+TEST(DivideConquer, pieces_are_for_a_cache_and_of_chains_long) {
+  EXPECT_EQ(piece_size(100000000, false), 1U << 13);
+  EXPECT_EQ(piece_size(1000, true), 1U << 13);
+  EXPECT_EQ(piece_size(3200000, true), 100000U);
+  EXPECT_EQ(piece_size(100000000, true), 1U << 17);
 }
 
 TEST(DivideConquer, agrees_on_points_that_crowd_deeper_and_deeper) {
@@ -175,7 +195,8 @@ TEST(DivideConquer, chains_lead_to_the_same) {
   }
 }
 
-/// That bend to either side, more and more or less and less, so that fans turn left or right and begin at either end;
+/// That bend to either side, more and more or less and less, so that they turn left or right and are knit from either
+/// end;
 /// with steps, ties, equal points, points beside them, and so far from the origin that most are cocircular or collinear
 /// by rounding; and so large that no filter serves, or so small that squares vanish.
 TEST(DivideConquer, every_kind_of_chain_is_knit_as_its_points_are) {

@@ -52,6 +52,7 @@ inline constexpr double kU = 0x1p-53;
 /// Coordinates up to here: products of eight differences and a lift stay below 2^1001.
 inline constexpr double kLargest = 0x1p99;
 
+/// @param bound  at least 0; unsure when either is no number
 inline int sign_beyond(double value, double bound) {
   if (!(std::abs(value) > bound)) [[unlikely]]
     return kUnsure;

@@ -16,7 +16,7 @@ namespace delone {
 
 /// A permutation of the rows of `points`.
 /// @param axes  the coordinate axes that span the points (at least one; at most kMaxDimension)
-/// @param threads  how many compute the keys; the order does not depend on it
+/// @param threads  how many share the work; the order does not depend on it
 /// Cost: O(n), a radix sort; where points crowd into one cell of the grid the crowd is sorted again, a few by their
 /// coordinates, more on a finer grid.
 std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int threads = 1);
