@@ -129,12 +129,8 @@ class PieceWork {
   void add_to(BuildStatistics& statistics) const { knitter_.add_to(statistics); }
 
  private:
-  template <class F>
-  void for_each_place(const Piece& box, const F& visit) const {
-    for (std::size_t i = box.begin; i < box.end; ++i) {
-      if (i == box.begin || cut_[i] != CurveCuts::kSamePlace) visit(VertexId{static_cast<Index>(i)});
-    }
-  }
+  /// Whether site i of a box stands where the one before it does.
+  bool repeats(std::size_t i, const Piece& box) const { return i > box.begin && cut_[i] == CurveCuts::kSamePlace; }
   /// The first cell of the next site.
   CellId next_cells() const { return CellId{static_cast<Index>(2 * rank_)}; }
   /// The same, and those of the next `count` are taken.
@@ -151,8 +147,7 @@ class PieceWork {
       } else if (add_few<2>(i, box.end)) {
         i += 2;
       } else {
-        const bool repeats = i > box.begin && cut_[i] == CurveCuts::kSamePlace;
-        if (!repeats) mender_.add({knitter_.single(VertexId{static_cast<Index>(i)}, take_cells(1)), cut_[i]});
+        if (!repeats(i, box)) mender_.add({knitter_.single(VertexId{static_cast<Index>(i)}, take_cells(1)), cut_[i]});
         ++i;
       }
     }
@@ -190,7 +185,9 @@ class PieceWork {
     const std::optional<int> axis = chain_axis(sites_, box.begin, box.end);
     if (!axis) return false;
     chain_.clear();
-    for_each_place(box, [&](VertexId v) { chain_.push_back(v); });
+    for (std::size_t i = box.begin; i < box.end; ++i) {
+      if (!repeats(i, box)) chain_.push_back(VertexId{static_cast<Index>(i)});
+    }
     if (!sorter_.sort(sites_, *axis, chain_)) return false;
     mender_.add({knit_chain(knitter_, chain_, take_cells(chain_.size())), cut_[box.begin]});
     return true;

@@ -195,10 +195,9 @@ TEST(DivideConquer, chains_lead_to_the_same) {
   }
 }
 
-/// That bend to either side, more and more or less and less, so that they turn left or right and are knit from either
-/// end;
-/// with steps, ties, equal points, points beside them, and so far from the origin that most are cocircular or collinear
-/// by rounding; and so large that no filter serves, or so small that squares vanish.
+/// That bend to either side, more and more or less and less, so that they are knit from either end; with steps, ties,
+/// equal points, points beside them, and so far from the origin that most are cocircular or collinear by rounding; and
+/// so large that no filter serves, or so small that squares vanish.
 TEST(DivideConquer, every_kind_of_chain_is_knit_as_its_points_are) {
   Random random(17);
   int knit = 0;

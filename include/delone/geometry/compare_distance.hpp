@@ -17,7 +17,7 @@
 
 #include "delone/base/ids.hpp"
 #include "delone/geometry/exact_predicates.hpp"
-#include "delone/geometry/kernel.hpp"
+#include "delone/geometry/filter.hpp"
 #include "delone/geometry/sites.hpp"
 
 namespace delone {

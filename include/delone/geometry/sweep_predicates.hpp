@@ -20,7 +20,7 @@
 #include <limits>
 
 #include "delone/geometry/exact_predicates.hpp"
-#include "delone/geometry/kernel.hpp"
+#include "delone/geometry/filter.hpp"
 #include "delone/geometry/voronoi_predicates.hpp"
 
 namespace delone {

@@ -16,7 +16,7 @@
 #include <cmath>
 
 #include "delone/geometry/exact_predicates.hpp"
-#include "delone/geometry/kernel.hpp"
+#include "delone/geometry/filter.hpp"
 
 namespace delone {
 
