@@ -1,6 +1,7 @@
 #include "mesh/triangulate.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "mesh/divide_conquer.hpp"
 #include "mesh/in_parts.hpp"
 #include "mesh/incremental.hpp"
+#include "mesh/wrap_few.hpp"
 
 namespace delone {
 namespace {
@@ -35,6 +37,10 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
     Mesh mesh = triangulate_plane(points, hull.flat, plan, threads, progress);
     mesh.statistics.order_seconds += ordered;
     return mesh;
+  }
+  if (std::optional<Mesh> mesh = wrap_few(points, hull)) {
+    mesh->statistics.insert_seconds = watch.lap();
+    return *std::move(mesh);
   }
   Mesh mesh(Sites(points.dimension(), points.weighted(), hull.flat));
   std::vector<Index> order = brio_order(points, axes, threads);
