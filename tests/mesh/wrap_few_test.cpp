@@ -1,0 +1,180 @@
+#include "mesh/wrap_few.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "delone/build/build.hpp"
+#include "delone/geometry/affine.hpp"
+#include "delone/mesh/export.hpp"
+#include "geometry/sixteen_sites.hpp"
+#include "support/expectations.hpp"
+#include "support/families.hpp"
+
+namespace delone {
+namespace {
+
+using namespace test;
+
+std::optional<AnyTriangulation> wrapped(const PointSet& points) {
+  std::optional<Mesh> mesh = wrap_few(points.view(), affine_hull(points.view()));
+  if (!mesh) return std::nullopt;
+  return AnyTriangulation(*std::move(mesh));
+}
+
+/// Whether the points are wrapped; what is built must be what insertion makes.
+bool expect_inserted(const PointSet& points) {
+  const std::optional<AnyTriangulation> t = wrapped(points);
+  if (!t) return false;
+  EXPECT_EQ(broken_invariant(*t), "") << points;
+  EXPECT_EQ(description(*t), description(build(points.view(), {.method = Method::cavity}))) << points;
+  return true;
+}
+
+bool can_wrap() {
+#ifdef DELONE_SIXTEENS
+  return SixteenSites::possible();
+#else
+  return false;
+#endif
+}
+
+/// The same of points that are wrapped wherever the processor can.
+void expect_wrapped(const PointSet& points) { EXPECT_EQ(expect_inserted(points), can_wrap()) << points; }
+
+PointSet joined(PointSet points, const PointSet& more) {
+  points.coordinates.insert(points.coordinates.end(), more.coordinates.begin(), more.coordinates.end());
+  points.weights.insert(points.weights.end(), more.weights.begin(), more.weights.end());
+  return points;
+}
+
+PointSet moved(PointSet points, double factor, double shift) {
+  for (double& x : points.coordinates) x = x * factor + shift;
+  return points;
+}
+
+/// The corners of the unit cube: on one sphere, and four on each side.
+PointSet cube() {
+  PointSet points{"cube", 3, {}, {}};
+  for (unsigned i = 0; i < 8; ++i)
+    points.coordinates.insert(points.coordinates.end(), {i % 2 * 1.0, i / 2 % 2 * 1.0, i / 4 * 1.0});
+  return points;
+}
+
+TEST(WrapFew, agrees_with_insertion_on_every_family) {
+  for (std::size_t n = 12; n < 40; ++n) {
+    for (const PointSet& points : families(3, n, n)) expect_inserted(points);
+  }
+  for (const std::size_t n : {100U, 240U}) {
+    for (const PointSet& points : families(3, n, n)) expect_inserted(points);
+  }
+}
+
+TEST(WrapFew, usual_points_are_wrapped) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const PointSet points = uniform(3, 12 + seed % 229, seed);
+    expect_wrapped(points);
+    expect_wrapped(with_random_weights(points, seed));
+  }
+}
+
+TEST(WrapFew, others_are_not) {
+  EXPECT_FALSE(wrapped(uniform(3, 11, 1)));
+  EXPECT_FALSE(wrapped(uniform(3, 241, 1)));
+  EXPECT_FALSE(wrapped(uniform(2, 100, 1)));
+  EXPECT_FALSE(wrapped(uniform(4, 100, 1)));
+  EXPECT_FALSE(wrapped(flat(4, 3, 100, 1)));
+  EXPECT_FALSE(wrapped(flat(3, 2, 100, 1)));
+  EXPECT_FALSE(wrapped(cospherical(3, 48, 1)));
+  PointSet curve{"moment curve", 3, {}, {}};  // neighbours of all others
+  for (int i = 0; i < 100; ++i)
+    curve.coordinates.insert(curve.coordinates.end(), {i * 1.0, i * i * 1.0, i * i * i * 1.0});
+  EXPECT_FALSE(wrapped(curve));
+}
+
+/// All but a few are wrapped: not those whose first cell has a tie.
+TEST(WrapFew, ties_among_others_are_broken_as_ever) {
+  int count = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    count += expect_inserted(joined(cube(), uniform(3, 92, seed))) ? 1 : 0;
+    count += expect_inserted(joined(uniform(3, 60, seed), moved(cube(), 0.25, 0.375))) ? 1 : 0;
+  }
+  EXPECT_GT(count, can_wrap() ? 180 : -1);
+}
+
+/// Floats cannot tell who is nearest; nor where the hull is flat. Seen from the centre of a ball its hyperplane is
+/// level.
+TEST(WrapFew, near_ties_are_told_by_exact_tests) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    for (const double error : {1e-5, 1e-7, 1e-8, 1e-12, 1e-15}) {
+      PointSet almost = moved(cube(), 0.5, 0.25);
+      const PointSet noise = uniform(3, 8, seed);
+      for (std::size_t i = 0; i < 24; ++i) almost.coordinates[i] += error * (noise.coordinates[i] - 0.5);
+      const PointSet around = joined(almost, moved(uniform(3, 40, seed + 1), 3.0, -1.0));
+      const PointSet within = joined(moved(uniform(3, 40, seed + 2), 0.4, 0.3), almost);
+      for (const PointSet& points : {around, within}) {
+        expect_inserted(points);
+        expect_inserted(moved(points, 1.0, -0.5));
+      }
+    }
+  }
+}
+
+TEST(WrapFew, units_do_not_matter) {
+  const PointSet points = uniform(3, 60, 7);
+  for (const double unit : {0x1p-1000, 0x1p-300, 0x1p-30, 0x1p30, 0x1p300, 0x1p1000}) {
+    expect_wrapped(moved(points, unit, 0.0));
+  }
+  expect_inserted(moved(points, 0x1p-1040, 0.0));
+  expect_inserted(moved(points, 0x1p1023, 0.0));
+}
+
+TEST(WrapFew, clusters_and_points_far_from_the_origin) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    for (const double size : {0.1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-9}) {
+      expect_inserted(joined(moved(uniform(3, 50, seed), size, 0.5), uniform(3, 50, seed + 1)));
+      expect_inserted(moved(uniform(3, 50, seed), size, 100.0));
+    }
+  }
+}
+
+TEST(WrapFew, duplicates_are_told) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    PointSet points = uniform(3, 60, seed);
+    points = joined(points, rows(points, 10, 40));
+    points = joined(rows(points, 0, 20), points);
+    expect_wrapped(points);
+    expect_wrapped(permuted(points, [&] {
+      Random random(seed);
+      return random_permutation(points.size(), random);
+    }()));
+    // In floats these are alike.
+    PointSet shifted = rows(points, 0, 1);
+    shifted.coordinates[0] = std::nextafter(shifted.coordinates[0], 2.0);
+    expect_inserted(joined(points, shifted));
+  }
+}
+
+TEST(WrapFew, hidden_sites_are_in_no_cell) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    PointSet points = uniform(3, 100, seed);
+    Random random(seed);
+    for (std::size_t i = 0; i < points.size(); ++i) points.weights.push_back(0.1 * unit_random(random));
+    expect_wrapped(points);
+    // At one place with others.
+    PointSet heavier = rows(points, 0, 3);
+    for (double& w : heavier.weights) w += 0.25;
+    expect_inserted(joined(points, heavier));
+    for (double& w : points.weights) w *= 1e9;
+    expect_inserted(points);
+  }
+}
+
+}  // namespace
+}  // namespace delone
