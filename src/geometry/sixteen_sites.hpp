@@ -122,7 +122,8 @@ class SixteenSites {
     return rounded(_mm256_blend_pd(normal, _mm256_set1_pd(height), 8), offset,
                    second(s) + largest_lift_ * std::abs(height));
   }
-  /// Whether plane(f, apex) is of a positively oriented cell, for sure.
+  /// Whether plane(f, apex) is of a positively oriented cell, for sure. Never where weights are so large that something
+  /// might overflow: a height is less than 48.
   bool is_positive(const Plane& plane) const {
     return _mm_cvtss_f32(_mm_shuffle_ps(plane.factors, plane.factors, 0xFF)) > least_bound_;
   }

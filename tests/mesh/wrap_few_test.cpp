@@ -171,8 +171,16 @@ TEST(WrapFew, hidden_sites_are_in_no_cell) {
     PointSet heavier = rows(points, 0, 3);
     for (double& w : heavier.weights) w += 0.25;
     expect_inserted(joined(points, heavier));
-    for (double& w : points.weights) w *= 1e9;
-    expect_inserted(points);
+    for (const double factor : {1e9, 1e30, 1e250}) {
+      PointSet heavy = points;
+      for (double& w : heavy.weights) w *= factor;
+      expect_inserted(heavy);
+      heavy = points;
+      heavy.weights[seed] *= factor;
+      expect_inserted(heavy);
+      heavy.weights[seed] *= -1.0;
+      expect_inserted(heavy);
+    }
   }
 }
 
