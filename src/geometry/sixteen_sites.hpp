@@ -6,14 +6,14 @@
 //
 // Error: coordinates are multiplied by a power of two that makes them less than 1; lifts are then at most L. A plane
 // N . x + h l + c through lifted sites has terms whose sizes sum up to at most 2 s, s = |N_x| + |N_y| + |N_z| + L |h|.
-// In floats each passes at most 8 roundings, of its factor, of the site and of sums: 16 * 2^-24 s, which is less than
+// In floats each passes at most 6 roundings, of its factor, of the site and of sums: 12 * 2^-24 s, which is less than
 // 1e-6 s. N and h come from doubles, where they are sums of products of at most three differences, each at most 2, or
 // 2 L for lifts; what that is off by moves no sum of terms by more than 9000 * 2^-53 (L + 6).
 #pragma once
 
 #if defined(__x86_64__)
 #define DELONE_SIXTEENS 1
-#define DELONE_BY_SIXTEENS [[gnu::target("avx512f,avx512dq,avx512vl,fma,popcnt")]]
+#define DELONE_BY_SIXTEENS [[gnu::target("avx512f,fma,popcnt")]]
 #define DELONE_INLINE_BY_SIXTEENS DELONE_BY_SIXTEENS [[gnu::always_inline]] inline
 
 #pragma GCC diagnostic push
@@ -43,11 +43,12 @@ class SixteenSites {
   static constexpr std::size_t kMost = 240;
   /// No site.
   static constexpr Index kNobody = 255;
+  static_assert(kMost % 16 == 0 && kMost <= kNobody);
 
   /// Whether this processor can.
   static bool possible() {
-    static const bool can = __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-                            __builtin_cpu_supports("avx512vl") != 0;
+    static const bool can = __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("fma") != 0 &&
+                            __builtin_cpu_supports("popcnt") != 0;
     return can;
   }
 
@@ -69,7 +70,7 @@ class SixteenSites {
 
   /// At most kMost sites that lie in space.
   DELONE_BY_SIXTEENS explicit SixteenSites(const Sites& sites) : groups_((sites.size() + 15) / 16) {
-    const double scale = filter::power_of_two(std::clamp(-std::ilogb(sites.range().magnitude) - 1, -1022, 1023));
+    const double scale = std::ldexp(1.0, std::min(-std::ilogb(sites.range().magnitude) - 1, 1023));
     for (std::size_t i = 0; i < sites.size(); ++i) {
       std::array<double, 4>& row = rows_[i];
       for (std::size_t j = 0; j < 3; ++j) row[j] = scale * sites.leading()[3 * i + j];
@@ -144,9 +145,9 @@ class SixteenSites {
       const Sixteen steep = _mm512_mul_ps(outside, _mm512_rcp14_ps(_mm512_max_ps(above(*this, g), tiny)));
       best = _mm512_max_ps(named(steep, g), best);
     }
-    return name_of(_mm512_reduce_max_ps(best), 4 * kTiny);
+    return name_of(_mm512_reduce_max_ps(best), 2 * kTiny);
   }
-  /// The site that lies lowest below a hyperplane, but for rounding; kNobody when none does for sure.
+  /// The site that lies lowest below a hyperplane, but for rounding; kNobody when none clearly does.
   DELONE_INLINE_BY_SIXTEENS Index lowest(const Plane& plane) const {
     const Heights above(plane);
     Sixteen best = _mm512_setzero_ps();
@@ -209,7 +210,7 @@ class SixteenSites {
     return _mm512_castsi512_ps(
         _mm512_ternarylogic_epi32(_mm512_castps_si512(numbers), _mm512_set1_epi32(~kName), sites, kKeptOrNamed));
   }
-  /// The site whose number this is, if that is above a bound.
+  /// The site whose number this is, if that is above a bound. The name lifts a number by up to 2^-15 of itself.
   static Index name_of(float number, float bound) {
     return number > bound ? std::bit_cast<std::uint32_t>(number) & kName : kNobody;
   }

@@ -38,7 +38,7 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
     mesh.statistics.order_seconds += ordered;
     return mesh;
   }
-  if (std::optional<Mesh> mesh = wrap_few(points, hull)) {
+  if (std::optional<Mesh> mesh = wrap_few(points, hull, progress)) {
     mesh->statistics.insert_seconds = watch.lap();
     return *std::move(mesh);
   }

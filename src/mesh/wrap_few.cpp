@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "delone/base/assert.hpp"
 #include "delone/base/buffer.hpp"
 #include "delone/exact/determinant.hpp"
 #include "delone/geometry/kernel.hpp"
@@ -47,6 +47,7 @@ class OpenFacets {
   /// @param slots  a power of two, at most 2^16, larger than the number of facets that are ever met
   explicit OpenFacets(std::size_t slots)
       : hash_shift_(64 - std::countr_zero(slots)), last_slot_(slots - 1), table_(slots), list_(slots) {
+    DELONE_ASSERT(last_slot_ <= kSlot, "entries hold slots");
     std::ranges::fill(table_, 0);
   }
 
@@ -165,7 +166,7 @@ class FewWrapper {
         sites_(sites),
         complex_(mesh.complex),
         kernel_(mesh.sites),
-        exact_tests_left_(4 * mesh.sites.size()),
+        exact_tests_left_(kExactTests * mesh.sites.size()),
         most_cells_(kCells * mesh.sites.size()),
         open_(std::bit_ceil(4 * most_cells_)),
         hull_(std::bit_ceil(8 * mesh.sites.size())),
@@ -206,7 +207,8 @@ class FewWrapper {
   }
 
  private:
-  static constexpr std::size_t kCells = 8;  // a site, at most; where there are more, insertion is as good
+  static constexpr std::size_t kCells = 8;       // a site, at most: where there are more, insertion is as good
+  static constexpr std::size_t kExactTests = 4;  // a site, at most: they cost as much as wrapping saves
 
   /// What lies beyond an open facet.
   struct Search {
@@ -271,7 +273,7 @@ class FewWrapper {
   std::size_t exact_tests_left_;
   std::size_t most_cells_;
   OpenFacets open_, hull_;
-  Buffer<SixteenSites::Plane> planes_;  // by cell
+  Buffer<SixteenSites::Plane> planes_;  // by cell; they tell where to look only
 };
 
 /// False where floats do not tell two sites from each other that are no duplicates.
@@ -289,10 +291,11 @@ DELONE_BY_SIXTEENS bool set_duplicates_aside(Mesh& mesh, SixteenSites& sites) {
 
 }  // namespace
 
-std::optional<Mesh> wrap_few(PointsView points, const AffineHull& hull) {
+std::optional<Mesh> wrap_few(PointsView points, const AffineHull& hull, const Progress& progress) {
   constexpr std::size_t kLeast = 12;  // fewer are inserted as fast
   const bool few = points.size() >= kLeast && points.size() <= SixteenSites::kMost;
   if (!few || points.dimension() != 3 || hull.flat.dimension != 3 || !SixteenSites::possible()) return std::nullopt;
+  tell(progress, 0, points.size());
   const std::span basis = std::span(hull.basis).first(4);
   std::vector<Index> order(basis.begin(), basis.end());
   for (Index row = 0; row < points.size(); ++row) {
@@ -309,7 +312,9 @@ std::optional<Mesh> wrap_few(PointsView points, const AffineHull& hull) {
 
 #else
 
-std::optional<Mesh> wrap_few(PointsView /*points*/, const AffineHull& /*hull*/) { return std::nullopt; }
+std::optional<Mesh> wrap_few(PointsView /*points*/, const AffineHull& /*hull*/, const Progress& /*progress*/) {
+  return std::nullopt;
+}
 
 #endif
 

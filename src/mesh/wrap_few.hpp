@@ -5,14 +5,16 @@
 
 #include <optional>
 
+#include "delone/base/progress.hpp"
 #include "delone/geometry/affine.hpp"
 #include "delone/mesh/triangulation.hpp"
 
 namespace delone {
 
-/// The triangulation of few points; nothing where they are too many or do not span space, where it would take many
-/// exact tests, or where the processor cannot.
+/// The triangulation of few points; nothing where they are too few, too many or do not span space, where it would take
+/// many exact tests, or where the processor cannot.
 /// @param hull  of the points
-std::optional<Mesh> wrap_few(PointsView points, const AffineHull& hull);
+/// @throws Cancelled when `progress` says so
+std::optional<Mesh> wrap_few(PointsView points, const AffineHull& hull, const Progress& progress);
 
 }  // namespace delone

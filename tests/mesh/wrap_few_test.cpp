@@ -2,14 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "delone/base/errors.hpp"
 #include "delone/build/build.hpp"
 #include "delone/geometry/affine.hpp"
 #include "delone/mesh/export.hpp"
@@ -23,7 +24,7 @@ namespace {
 using namespace test;
 
 std::optional<AnyTriangulation> wrapped(const PointSet& points) {
-  std::optional<Mesh> mesh = wrap_few(points.view(), affine_hull(points.view()));
+  std::optional<Mesh> mesh = wrap_few(points.view(), affine_hull(points.view()), {});
   if (!mesh) return std::nullopt;
   return AnyTriangulation(*std::move(mesh));
 }
@@ -92,10 +93,56 @@ TEST(WrapFew, others_are_not) {
   EXPECT_FALSE(wrapped(flat(4, 3, 100, 1)));
   EXPECT_FALSE(wrapped(flat(3, 2, 100, 1)));
   EXPECT_FALSE(wrapped(cospherical(3, 48, 1)));
-  PointSet curve{"moment curve", 3, {}, {}};  // neighbours of all others
-  for (int i = 0; i < 100; ++i)
-    curve.coordinates.insert(curve.coordinates.end(), {i * 1.0, i * i * 1.0, i * i * i * 1.0});
-  EXPECT_FALSE(wrapped(curve));
+}
+
+/// Sites that alternate between two curves: on each, neighbours in the order of `along`.
+template <class First, class Second>
+PointSet on_two_curves(const First& first, const Second& second) {
+  PointSet points{"two curves", 3, {}, {}};
+  const PointSet along = uniform(3, 100, 3);
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    const double* const u = &along.coordinates[3 * i];
+    const std::array<double, 3> x = i % 2 == 0 ? first(u) : second(u);
+    points.coordinates.insert(points.coordinates.end(), x.begin(), x.end());
+  }
+  return points;
+}
+
+TEST(WrapFew, it_is_given_up_where_cells_are_many) {
+  const PointSet points = on_two_curves(
+      [](const double* u) {
+        return std::array{0.01 * u[0], 0.01 * u[1], 2 * u[2] - 1};
+      },
+      [](const double* u) {
+        return std::array{std::cos(7 * u[0]), std::sin(7 * u[0]), 0.01 * u[1]};
+      });
+  EXPECT_FALSE(wrapped(points));
+  EXPECT_GT(built(points).cell_count(), 800U);
+}
+
+TEST(WrapFew, it_is_given_up_where_exact_tests_are_many) {
+  const PointSet points = on_two_curves(
+      [](const double* u) {
+        return std::array{u[0], 1e-3 * u[1], 1e-3 * u[2]};
+      },
+      [](const double* u) {
+        return std::array{1e-3 * u[1], u[0], 1 + 1e-3 * u[2]};
+      });
+  EXPECT_FALSE(wrapped(points));
+}
+
+TEST(WrapFew, a_caller_may_cancel) {
+  const PointSet points = uniform(3, 100, 1);
+  EXPECT_THROW(build(points.view(), {.progress = [](double) { return false; }}), Cancelled);
+}
+
+TEST(WrapFew, work_is_counted) {
+  if (!can_wrap()) GTEST_SKIP() << "the processor cannot";
+  const PointSet points = joined(cube(), uniform(3, 92, 1));
+  const AnyTriangulation t = *wrapped(points);
+  EXPECT_EQ(t.statistics().cells_created, t.cell_count() + t.hull_facet_count());
+  EXPECT_EQ(t.statistics().predicates.conflict_filter, 100 * t.statistics().cells_created);
+  EXPECT_GT(t.statistics().predicates.orient_exact + t.statistics().predicates.orient_filter, 0U);
 }
 
 /// All but a few are wrapped: not those whose first cell has a tie.
@@ -133,6 +180,7 @@ TEST(WrapFew, units_do_not_matter) {
   }
   expect_inserted(moved(points, 0x1p-1040, 0.0));
   expect_inserted(moved(points, 0x1p1023, 0.0));
+  expect_wrapped(moved(moved(points, 2.0, -1.0), 1.9 * 0x1p1023, 0.0));
 }
 
 TEST(WrapFew, clusters_and_points_far_from_the_origin) {
