@@ -79,6 +79,20 @@ TEST(Buffer, gives_back_what_it_does_not_need) {
   EXPECT_EQ(buffer.capacity(), 0U);
 }
 
+TEST(Buffer, keeps_what_is_little) {
+  Buffer<int> buffer(1000);
+  buffer.resize(900);
+  buffer.shrink_to_fit();
+  EXPECT_EQ(buffer.capacity(), 1000U);
+  buffer.resize(800);
+  buffer.shrink_to_fit();
+  EXPECT_EQ(buffer.capacity(), 800U);
+  Buffer<int> large(1 << 20);  // an eighth of it is not little
+  large.resize(large.size() - (1 << 17));
+  large.shrink_to_fit();
+  EXPECT_EQ(large.capacity(), (1U << 20) - (1U << 17));
+}
+
 TEST(Buffer, a_request_beyond_memory_throws_and_changes_nothing) {
   Buffer<double> buffer(3);
   buffer[2] = 5.0;
@@ -116,6 +130,20 @@ TEST(Buffer, grows_large_blocks_without_touching_them_whatever_their_size) {
     EXPECT_EQ(buffer[bytes - 1], 'x');
   }
   prctl(PR_SET_THP_DISABLE, 0, 0, 0, 0);
+}
+
+TEST(Buffer, pages_are_not_asked_for_again_and_again) {
+  constexpr std::size_t kBytes = std::size_t{600} << 10;
+  const auto use = [] {
+    Buffer<char> buffer;
+    buffer.reserve(kBytes);
+    buffer.resize(kBytes - (kBytes >> 4));
+    for (std::size_t i = 0; i < buffer.size(); i += 4096) static_cast<volatile char&>(buffer[i]) = 'x';
+    buffer.shrink_to_fit();
+  };
+  if (page_faults(use) < 100) GTEST_SKIP() << "another malloc, or faults not told";
+  use();
+  EXPECT_LT(page_faults(use), 20);
 }
 #endif
 

@@ -96,10 +96,14 @@ class Buffer {
   T& front() { return data_[0]; }
   const T& front() const { return data_[0]; }
   void clear() { size_ = 0; }
+  /// Gives back what is spare, unless it is little: malloc asks the system anew for each block that is larger than all
+  /// that it got back so far, and who builds again and again would wait for fresh pages each time.
   void shrink_to_fit() {
+    constexpr std::size_t kLittle = std::size_t{1} << 18;  // bytes
+    const std::size_t spare = capacity_ - size_;
     if (size_ == 0) {
       Buffer().swap(*this);
-    } else if (size_ < capacity_) {
+    } else if (spare > capacity_ / 8 || spare * sizeof(T) > kLittle) {
       reallocate(size_);
     }
   }
