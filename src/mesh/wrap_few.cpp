@@ -208,7 +208,7 @@ class FewWrapper {
 
  private:
   static constexpr std::size_t kCells = 8;       // a site, at most: where there are more, insertion is as good
-  static constexpr std::size_t kExactTests = 4;  // a site, at most: they cost as much as wrapping saves
+  static constexpr std::size_t kExactTests = 4;  // a site, at most: more would cost what wrapping saves
 
   /// What lies beyond an open facet.
   struct Search {

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "delone/geometry/affine.hpp"
@@ -124,7 +124,7 @@ TEST(SixteenSites, every_family) {
   }
 }
 
-/// All but a few are sure to lie above; of a wall about half lie outside.
+/// What lies below, or outside of a wall, is open by its nature; that is about half.
 TEST(SixteenSites, uniform_sites_leave_little_open) { EXPECT_GT(expect_right(test::uniform(3, 20, 1)), 0.4); }
 
 }  // namespace

@@ -13,7 +13,6 @@
 #include "delone/base/errors.hpp"
 #include "delone/build/build.hpp"
 #include "delone/geometry/affine.hpp"
-#include "delone/mesh/export.hpp"
 #include "geometry/sixteen_sites.hpp"
 #include "support/expectations.hpp"
 #include "support/families.hpp"
