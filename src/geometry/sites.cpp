@@ -57,6 +57,14 @@ Sites::Sites(int dimension, bool weighted, Flat flat)
 void Sites::swap_rows(VertexId a, VertexId b) {
   std::swap(vertex_of_[row(a)], vertex_of_[row(b)]);
   std::swap(row_of_[raw(a)], row_of_[raw(b)]);
+  const auto trade = [&](Buffer<double>& numbers, int each) {  // zeros may differ by their sign
+    const auto size = static_cast<std::size_t>(each);
+    std::swap_ranges(numbers.begin() + raw(a) * size, numbers.begin() + (raw(a) + 1) * size,
+                     numbers.begin() + raw(b) * size);
+  };
+  trade(leading_, leading_count_);
+  trade(others_, dimension_ - leading_count_);
+  if (weighted_) trade(weights_, 1);
 }
 
 void Sites::reserve_more(std::size_t count) {

@@ -84,7 +84,7 @@ class Sites {
     DELONE_ASSERT(!is_removed(row), "I9 a removed row has no site");
     return VertexId{vertex_of_[row]};
   }
-  /// Equal points may trade their rows.
+  /// Equal points may trade their rows, and with them the signs of their zeros.
   void swap_rows(VertexId a, VertexId b);
 
   /// Room for `count` more sites; on std::bad_alloc nothing has changed.
