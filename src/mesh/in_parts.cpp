@@ -25,6 +25,7 @@
 #include "base/chunks.hpp"
 #include "base/part_of.hpp"
 #include "base/tell_every.hpp"
+#include "delone/base/buffer.hpp"
 #include "delone/base/dispatch.hpp"
 #include "delone/mesh/inserter.hpp"
 #include "mesh/incremental.hpp"
@@ -39,7 +40,7 @@ constexpr std::size_t kMostBoxes = 255;
 template <int K>
 class Boxes {
  public:
-  Boxes(const Sites& sites, const std::vector<Index>& some, std::size_t count) : x_(sites.leading()) {
+  Boxes(const Sites& sites, const Buffer<Index>& some, std::size_t count) : x_(sites.leading()) {
     constexpr std::size_t kSample = 1 << 11;  // of the sites of a box, to find where to cut
     std::vector<Index> sample;
     for (std::size_t i = 0; i < some.size(); i += some.size() / (kSample * count) + 1) sample.push_back(some[i]);
@@ -101,12 +102,10 @@ class Boxes {
 
 /// A round: sites to insert, along a curve, into a mesh whose sites before them are vertices, or are none.
 struct Round {
-  Mesh* mesh;
   std::size_t first, last;
-  std::vector<Index> waiting = {};        ///< of the sites from first to last - 1, ascending
-  std::vector<std::uint8_t> box_of = {};  ///< per site of the mesh
+  Buffer<Index> waiting;  ///< of the sites from first to last - 1, ascending
 
-  Round(Mesh& sites_of, std::size_t from, std::size_t to) : mesh(&sites_of), first(from), last(to), waiting(to - from) {
+  Round(std::size_t from, std::size_t to) : first(from), last(to), waiting(to - from) {
     std::iota(waiting.begin(), waiting.end(), static_cast<Index>(from));
   }
 };
@@ -120,8 +119,8 @@ struct Room {
 /// What one thread works on: a mesh of the same sites and cells, with lists and counts of its own.
 class Part {
  public:
-  void begin(const Round& round, std::uint8_t box, std::size_t boxes, const Room& room) {
-    Mesh& whole = *round.mesh;
+  /// @param box_of  per site
+  void begin(Mesh& whole, const std::uint8_t* box_of, std::uint8_t box, std::size_t boxes, const Room& room) {
     put_off_.clear();
     mesh_.sites = whole.sites.lent();
     mesh_.complex = whole.complex.part(box, boxes, room.row, room.end);
@@ -130,7 +129,7 @@ class Part {
     mesh_.statistics = {};
     mesh_.scratch.marks = whole.scratch.marks.lent();
     mesh_.scratch.planes = whole.scratch.planes.lent();
-    mesh_.scratch.territory = {round.box_of.data(), box};
+    mesh_.scratch.territory = {box_of, box};
   }
 
   /// Inserts the sites of the box. Those that are put off are listed; so are all when no more cells are to be had.
@@ -191,7 +190,7 @@ class PartwiseInserter {
       : mesh_(&mesh), start_(start), threads_(threads), few_(few), progress_(&progress) {}
 
   void insert(std::size_t first, std::size_t last) {
-    Round round(*mesh_, first, last);
+    Round round(first, last);
     for (std::size_t most = std::min({static_cast<std::size_t>(threads_), kMostBoxes, first / few_});;) {
       const std::size_t before = round.waiting.size();
       const std::size_t boxes = std::min(most, before / few_);
@@ -205,9 +204,9 @@ class PartwiseInserter {
  private:
   void insert_in_boxes(Round& round, std::size_t boxes) {
     const Boxes<K> cut(mesh_->sites, round.waiting, boxes);
-    round.box_of.resize(mesh_->sites.size());
+    box_of_.resize(mesh_->sites.size());
     for_chunks(round.last, threads_, [&](std::size_t begin, std::size_t end, std::size_t) {
-      for (std::size_t site = begin; site < end; ++site) round.box_of[site] = cut.box_of(static_cast<Index>(site));
+      for (std::size_t site = begin; site < end; ++site) box_of_[site] = cut.box_of(static_cast<Index>(site));
     });
     const Room room = make_room(round.waiting.size(), boxes);
     if (parts_.size() < boxes) parts_.resize(boxes);
@@ -215,7 +214,7 @@ class PartwiseInserter {
     const auto caller = std::this_thread::get_id();
     const auto insert_box = [&](std::size_t box) {
       const bool telling = std::this_thread::get_id() == caller;
-      parts_[box].begin(round, static_cast<std::uint8_t>(box), boxes, room);
+      parts_[box].begin(*mesh_, box_of_.data(), static_cast<std::uint8_t>(box), boxes, room);
       parts_[box].template insert<K>(round, [&](std::size_t turn) {
         if (telling) tell_done(turn, std::min(round.last, round.last - round.waiting.size() + turn * boxes));
         return !stopped;
@@ -253,7 +252,7 @@ class PartwiseInserter {
     for (Part& part : parts) {
       Mesh& mesh = part.mesh();
       complexes.push_back(&mesh.complex);
-      round.waiting.insert(round.waiting.end(), part.put_off().begin(), part.put_off().end());
+      std::ranges::copy(part.put_off(), round.waiting.extend(part.put_off().size()));
       for (const auto& [vertex, row] : mesh.duplicates) mesh_->duplicates.add(mesh_->sites.vertex(row), vertex, row);
       mesh_->vertex_count += mesh.vertex_count;
       in_turn = std::max(in_turn, mesh.statistics.in_turn);
@@ -294,6 +293,7 @@ class PartwiseInserter {
   std::size_t few_;
   const Progress* progress_;
   std::size_t told_ = 0;
+  Buffer<std::uint8_t> box_of_;  ///< per site, up to the last of a round
   std::vector<Part> parts_;
 };
 

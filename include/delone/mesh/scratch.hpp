@@ -123,8 +123,8 @@ struct Scratch {
   /// Marks and hyperplanes for cells below `slots`.
   void reserve_cells(int k, std::size_t slots) {
     if (slots <= marks.size()) return;
-    slots = with_spare(slots);
     marks.reserve_more(slots - marks.size());
+    slots = std::min(with_spare(slots), marks.capacity());
     planes.reserve(marks.capacity() * plane_size(k));
     planes.resize(slots * plane_size(k), std::byte{0});
     marks.resize(slots, Mark::none);
