@@ -11,7 +11,6 @@ namespace delone {
 
 void ask_for_huge_pages([[maybe_unused]] void* block, [[maybe_unused]] std::size_t bytes) {
 #ifdef __linux__
-  constexpr std::uintptr_t kHugePage = std::uintptr_t{1} << 21;
   const auto start = reinterpret_cast<std::uintptr_t>(block);
   const std::uintptr_t end = start + bytes;
   const std::uintptr_t skip = (kHugePage - start % kHugePage) % kHugePage;

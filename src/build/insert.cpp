@@ -67,7 +67,7 @@ void insert(AnyTriangulation& t, PointsView batch, const BuildOptions& options) 
   const std::size_t first = mesh.sites.size();
   const auto axes =
       std::span(mesh.sites.flat().axes).first(static_cast<std::size_t>(std::max(t.affine_dimension(), 0)));
-  const std::vector<Index> order = brio_order(batch, axes, options.threads);
+  const Buffer<Index> order = brio_order(batch, axes, options.threads);
   mesh.sites.append(batch, order, static_cast<Index>(t.row_count()));
   std::vector<std::size_t> rounds = round_ends(order, t.affine_dimension());
   for (std::size_t& end : rounds) end += first;

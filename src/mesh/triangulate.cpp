@@ -16,13 +16,9 @@
 namespace delone {
 namespace {
 
-/// Moves `rows` to the front, which become the first simplex, and leaves the others in their order.
-void bring_to_front(std::vector<Index>& order, std::span<const Index> rows) {
-  auto kept = order.end();
-  for (auto i = order.end(); i != order.begin();) {
-    if (std::ranges::find(rows, *--i) == rows.end()) *--kept = *i;
-  }
-  std::ranges::copy(rows, order.begin());
+/// Moves `rows` to the front, which become the first simplex; what stood there takes their places.
+void bring_to_front(std::span<Index> order, std::span<const Index> rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) std::swap(order[i], *std::ranges::find(order.subspan(i), rows[i]));
 }
 
 }  // namespace
@@ -43,7 +39,7 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
     return *std::move(mesh);
   }
   Mesh mesh(Sites(points.dimension(), points.weighted(), hull.flat));
-  std::vector<Index> order = brio_order(points, axes, threads);
+  Buffer<Index> order = brio_order(points, axes, threads);
   const std::vector<std::size_t> rounds = round_ends(order, static_cast<int>(axes.size()));
   bring_to_front(order, std::span(hull.basis).first(points.empty() ? 0 : axes.size() + 1));
   mesh.sites.append(points, order, 0, threads);

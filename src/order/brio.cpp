@@ -34,8 +34,8 @@ class KeyedRows {
   /// Of a key, at most: so many that on a curve, too, few rows have the same, and as many as the sort takes no longer
   /// for.
   int key_bits() const { return std::min(64 - row_bits_, (2 * row_bits_ + 6 + kDigit - 1) / kDigit * kDigit); }
-  std::vector<Index> in_order() const {
-    std::vector<Index> order(size());
+  Buffer<Index> in_order() const {
+    Buffer<Index> order(size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = row(i);
     return order;
   }
@@ -279,7 +279,7 @@ void sort_along_curve(PointsView points, std::span<const int> axes, KeyedRows& r
   }
 }
 
-std::vector<Index> order_in_rounds(PointsView points, std::span<const int> axes, int rounds, int threads) {
+Buffer<Index> order_in_rounds(PointsView points, std::span<const int> axes, int rounds, int threads) {
   KeyedRows rows(points.size(), threads);
   if (!axes.empty()) {
     with_dimension<1>(static_cast<int>(axes.size()),
@@ -299,7 +299,7 @@ CurveCuts cuts_along_curve(PointsView points, std::span<const int> axes, int thr
 
 }  // namespace
 
-std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int threads) {
+Buffer<Index> brio_order(PointsView points, std::span<const int> axes, int threads) {
   return order_in_rounds(points, axes, round_count(points.size(), axes.size()), threads);
 }
 
@@ -314,7 +314,7 @@ std::vector<std::size_t> round_ends(std::span<const Index> order, int axes) {
   return ends;
 }
 
-std::vector<Index> curve_order(PointsView points, std::span<const int> axes, int threads) {
+Buffer<Index> curve_order(PointsView points, std::span<const int> axes, int threads) {
   return order_in_rounds(points, axes, 0, threads);
 }
 

@@ -30,6 +30,8 @@ void shuffle(std::vector<Index>& rows, std::uint64_t seed) {
   for (std::size_t i = rows.size(); i > 1; --i) std::swap(rows[i - 1], rows[mix(mix(seed) + i) % i]);
 }
 
+std::vector<Index> listed(const Buffer<Index>& rows) { return {rows.begin(), rows.end()}; }
+
 /// Where the row of a grid that a point lies in is walked backwards, so that every cell touches the one before.
 std::vector<Index> bucket_order(PointsView points, std::span<const int> axes, std::vector<Index> rows) {
   constexpr double kPointsPerCell = 2.0;
@@ -66,8 +68,8 @@ std::vector<Index> bucket_order(PointsView points, std::span<const int> axes, st
 /// Along the curve a box's first point stands for it. It has stood for all boxes around that begin with it, so its
 /// level is the depth of the cut before it, of which there are D to a level (but not within a cell of the finest grid).
 std::vector<Index> quaternary_order(PointsView points, std::span<const int> axes, int threads) {
-  CurveCuts cuts = curve_cuts(points, axes, threads);
-  if (cuts.order.size() < 2) return std::move(cuts.order);
+  const CurveCuts cuts = curve_cuts(points, axes, threads);
+  if (cuts.order.size() < 2) return listed(cuts.order);
   const std::uint16_t root = *std::min_element(cuts.cut.begin() + 1, cuts.cut.end());
   std::vector<std::size_t> places(cuts.order.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
@@ -98,9 +100,9 @@ std::vector<Index> ordered_rows(Order order, PointsView points, std::span<const 
   switch (order) {
     case Order::automatic:
     case Order::brio:
-      return brio_order(points, axes, threads);
+      return listed(brio_order(points, axes, threads));
     case Order::hilbert:
-      return curve_order(points, axes, threads);
+      return listed(curve_order(points, axes, threads));
     case Order::random:
       shuffle(rows, seed);
       return rows;

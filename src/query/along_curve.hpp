@@ -15,14 +15,14 @@
 
 namespace delone::query_detail {
 
-inline std::vector<Index> order_of_queries(const AnyTriangulation& t, PointsView queries, const QueryOptions& options) {
+inline Buffer<Index> order_of_queries(const AnyTriangulation& t, PointsView queries, const QueryOptions& options) {
   const auto k = static_cast<std::size_t>(std::max(t.affine_dimension(), 0));
   return curve_order(queries, std::span(t.sites().flat().axes).first(k), options.threads);
 }
 
 /// Calls answer(search, query, chunk) for all queries in order, with a search of its own for every chunk.
 template <class MakeSearch, class Answer>
-void for_queries(PointsView queries, const std::vector<Index>& order, const QueryOptions& options,
+void for_queries(PointsView queries, std::span<const Index> order, const QueryOptions& options,
                  const MakeSearch& make_search, const Answer& answer) {
   const auto work = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
     constexpr std::size_t kAhead = 16;

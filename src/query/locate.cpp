@@ -103,7 +103,7 @@ std::vector<Location> locate(const AnyTriangulation& t, PointsView queries, cons
   query_detail::require_queries(t, queries);
   std::vector<Location> found(queries.size());
   if (t.affine_dimension() < 0) return found;
-  const std::vector<Index> order = query_detail::order_of_queries(t, queries, options);
+  const Buffer<Index> order = query_detail::order_of_queries(t, queries, options);
   const NumberRange range = query_detail::range_with(t.sites(), queries);
   with_dimension(t.affine_dimension(), [&](auto k) {
     query_detail::for_queries(

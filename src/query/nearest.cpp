@@ -38,7 +38,7 @@ void search_once(const AnyTriangulation& t, std::span<const double> q, CellId ne
 
 /// Calls answer(search, row of the query, its chunk) for every query, along a curve.
 template <class Answer>
-void search_along_curve(const AnyTriangulation& t, PointsView queries, const std::vector<Index>& order,
+void search_along_curve(const AnyTriangulation& t, PointsView queries, std::span<const Index> order,
                         const QueryOptions& options, const Answer& answer) {
   const NumberRange range = query_detail::range_with(t.sites(), queries);
   with_dimension(t.affine_dimension(), [&](auto k) {
@@ -48,7 +48,7 @@ void search_along_curve(const AnyTriangulation& t, PointsView queries, const std
 }
 
 /// Puts the lists of chunks, which follow `order`, into the order of the queries.
-NeighbourLists in_order_of_queries(const std::vector<Index>& order, const std::vector<std::size_t>& counts,
+NeighbourLists in_order_of_queries(std::span<const Index> order, const std::vector<std::size_t>& counts,
                                    const std::vector<std::vector<Neighbour>>& found) {
   NeighbourLists lists;
   lists.offsets.resize(counts.size() + 1);
@@ -77,7 +77,7 @@ NeighbourLists lists_along_curve(const AnyTriangulation& t, PointsView queries, 
   std::vector<std::size_t> counts(queries.size(), 0);
   if (t.affine_dimension() < 0) return in_order_of_queries({}, counts, {});
   const Duplicates& duplicates = t.mesh().duplicates;
-  const std::vector<Index> order = query_detail::order_of_queries(t, queries, options);
+  const Buffer<Index> order = query_detail::order_of_queries(t, queries, options);
   std::vector<std::vector<Neighbour>> found((queries.size() + kChunk - 1) / kChunk);
   search_along_curve(t, queries, order, options, [&](auto& search, Index query, std::size_t chunk) {
     const std::span<const Neighbour> neighbours = list(search, queries[query], duplicates);
@@ -115,7 +115,7 @@ std::vector<Neighbour> nearest(const AnyTriangulation& t, PointsView queries, co
   query_detail::require_queries(t, queries);
   std::vector<Neighbour> found(queries.size());
   if (t.affine_dimension() < 0) return found;
-  const std::vector<Index> order = query_detail::order_of_queries(t, queries, options);
+  const Buffer<Index> order = query_detail::order_of_queries(t, queries, options);
   search_along_curve(t, queries, order, options, [&](auto& search, Index query, std::size_t /*chunk*/) {
     found[query] = search.nearest(queries[query]);
   });

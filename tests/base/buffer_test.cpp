@@ -10,8 +10,10 @@
 #endif
 
 #include <cstddef>
+#include <fstream>
 #include <limits>
 #include <new>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -130,6 +132,24 @@ TEST(Buffer, grows_large_blocks_without_touching_them_whatever_their_size) {
     EXPECT_EQ(buffer[bytes - 1], 'x');
   }
   prctl(PR_SET_THP_DISABLE, 0, 0, 0, 0);
+}
+
+TEST(Buffer, blocks_of_some_huge_pages_consist_of_them) {
+  std::string enabled;
+  std::getline(std::ifstream("/sys/kernel/mm/transparent_hugepage/enabled"), enabled);
+  if (enabled.empty() || enabled.find("[never]") != std::string::npos) GTEST_SKIP() << "no huge pages";
+  for (const std::size_t bytes : {std::size_t{4000000}, std::size_t{8} << 20, std::size_t{20000000}}) {
+    Buffer<char> buffer;
+    EXPECT_LT(page_faults([&] { buffer.resize(bytes, 'x'); }), 40) << bytes;
+    EXPECT_GE(buffer.capacity(), bytes);
+    EXPECT_LT(buffer.capacity(), bytes + (std::size_t{1} << 21));
+    EXPECT_LT(page_faults([&] { buffer.resize(bytes + bytes / 2, 'y'); }), 80) << bytes << " and half of it more";
+    EXPECT_EQ(buffer[bytes - 1], 'x');
+    buffer.resize(bytes / 2);
+    buffer.shrink_to_fit();
+    EXPECT_EQ(buffer.capacity(), bytes / 2);
+    EXPECT_EQ(buffer[bytes / 2 - 1], 'x');
+  }
 }
 
 TEST(Buffer, pages_are_not_asked_for_again_and_again) {

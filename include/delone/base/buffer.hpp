@@ -12,9 +12,13 @@
 
 namespace delone {
 
-/// realloc, and for blocks of many pages a request for huge ones, which saves most of the time that page faults and
-/// address translation cost. @throws std::bad_alloc, and the block is as it was
-void* reallocate_block(void* block, std::size_t count, std::size_t element_size);
+/// realloc, from `held` elements to `count`, and for blocks of many pages a request for huge ones, which saves most of
+/// the time that page faults and address translation cost. @throws std::bad_alloc, and the block is as it was
+void* reallocate_block(void* block, std::size_t held, std::size_t count, std::size_t element_size);
+
+/// How many elements to make room for where `count` are needed: as many, or so many more that a block of some huge
+/// pages ends with one.
+std::size_t whole_block(std::size_t count, std::size_t element_size);
 
 template <class T>
 class Buffer {
@@ -66,11 +70,11 @@ class Buffer {
 
   /// Room for `capacity` elements; on std::bad_alloc nothing has changed.
   void reserve(std::size_t capacity) {
-    if (capacity > capacity_) reallocate(capacity);
+    if (capacity > capacity_) reallocate(whole_block(capacity, sizeof(T)));
   }
   /// Room for `extra` more elements, growing by half so that repeated calls cost O(1) each.
   void reserve_more(std::size_t extra) {
-    if (size_ + extra > capacity_) reallocate(std::max(size_ + extra, capacity_ + capacity_ / 2));
+    if (size_ + extra > capacity_) reserve(std::max(size_ + extra, capacity_ + capacity_ / 2));
   }
   /// New elements are not initialised.
   void resize(std::size_t size) {
@@ -111,7 +115,7 @@ class Buffer {
  private:
   void reallocate(std::size_t capacity) {
     if (lent_) throw std::bad_alloc();
-    data_ = static_cast<T*>(reallocate_block(data_, capacity, sizeof(T)));
+    data_ = static_cast<T*>(reallocate_block(data_, capacity_, capacity, sizeof(T)));
     capacity_ = capacity;
   }
 

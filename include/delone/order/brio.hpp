@@ -19,13 +19,13 @@ namespace delone {
 /// @param threads  how many share the work; the order does not depend on it
 /// Cost: O(n), a radix sort; where points crowd into one cell of the grid the crowd is sorted again, a few by their
 /// coordinates, more on a finer grid.
-std::vector<Index> brio_order(PointsView points, std::span<const int> axes, int threads = 1);
+Buffer<Index> brio_order(PointsView points, std::span<const int> axes, int threads = 1);
 
 /// Where the rounds of brio_order(), called with so many axes, end in its result: ascending, the last is its size.
 std::vector<std::size_t> round_ends(std::span<const Index> order, int axes);
 
 /// The same without rounds: all rows along one curve. For queries, each of which starts where the last one ended.
-std::vector<Index> curve_order(PointsView points, std::span<const int> axes, int threads = 1);
+Buffer<Index> curve_order(PointsView points, std::span<const int> axes, int threads = 1);
 
 /// Rows along one curve, and the tree of boxes that it goes through: each box is cut in half by a plane across an axis,
 /// and the curve leaves one half before it enters the other. Where few rows share a cell of the grid they stand in
@@ -33,7 +33,7 @@ std::vector<Index> curve_order(PointsView points, std::span<const int> axes, int
 struct CurveCuts {
   static constexpr std::uint16_t kSamePlace = 0xFFFF;
 
-  std::vector<Index> order;
+  Buffer<Index> order;
   /// Per row the depth of the cut between it and the row before: of the cuts among some rows in a line the least deep
   /// is the one that all others lie beside. kSamePlace: both stand at one place, so that nothing parts them. That of
   /// the first row means nothing.
