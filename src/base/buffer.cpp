@@ -17,7 +17,7 @@ namespace {
 
 /// Whether a new block starts and ends with a huge page. Large ones do not, since malloc moves none that is aligned by
 /// remapping it: the advice on what lies before it differs; nor small ones, which would leave much of a page over.
-constexpr bool is_aligned(std::size_t bytes) { return bytes >= kHugePage * 3 / 2 && bytes < 16 * kHugePage; }
+constexpr bool is_aligned(std::size_t bytes) { return bytes >= kHugePage * 3 / 2 && bytes <= 15 * kHugePage; }
 
 #ifdef __linux__
 

@@ -12,6 +12,9 @@
 namespace delone {
 namespace {
 
+/// Of points that are equal it does not show which came first.
+double without_sign_of_zero(double x) { return x + 0.0; }  // -0.0 + 0.0 is 0.0
+
 /// The largest e such that x is an integer times 2^e; of zero, more than any other has.
 int trailing_exponent(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
@@ -57,14 +60,6 @@ Sites::Sites(int dimension, bool weighted, Flat flat)
 void Sites::swap_rows(VertexId a, VertexId b) {
   std::swap(vertex_of_[row(a)], vertex_of_[row(b)]);
   std::swap(row_of_[raw(a)], row_of_[raw(b)]);
-  const auto trade = [&](Buffer<double>& numbers, int each) {  // zeros may differ by their sign
-    const auto size = static_cast<std::size_t>(each);
-    std::swap_ranges(numbers.begin() + raw(a) * size, numbers.begin() + (raw(a) + 1) * size,
-                     numbers.begin() + raw(b) * size);
-  };
-  trade(leading_, leading_count_);
-  trade(others_, dimension_ - leading_count_);
-  if (weighted_) trade(weights_, 1);
 }
 
 void Sites::reserve_more(std::size_t count) {
@@ -115,7 +110,7 @@ void Sites::append(PointsView points, std::span<const Index> order, Index first_
       place(v, points[order[i]]);
       range.include(points[order[i]]);
       if (!weighted_) continue;
-      weights_[raw(v)] = points.weight(order[i]);
+      weights_[raw(v)] = without_sign_of_zero(points.weight(order[i]));
       range.include_weight(points.weight(order[i]));
     }
     const std::lock_guard lock(mutex);
@@ -172,12 +167,12 @@ void Sites::place(VertexId v, std::span<const double> point) {
   const auto k = static_cast<std::size_t>(leading_count_);
   double* const leading = leading_.data() + raw(v) * k;
   if (k == point.size()) {
-    for (std::size_t place = 0; place < k; ++place) leading[place] = point[place];
+    for (std::size_t place = 0; place < k; ++place) leading[place] = without_sign_of_zero(point[place]);
     return;
   }
   double* const others = others_.data() + raw(v) * (point.size() - k);
   for (std::size_t place = 0; place < point.size(); ++place) {
-    const double x = point[static_cast<std::size_t>(axis_at_place_[place])];
+    const double x = without_sign_of_zero(point[static_cast<std::size_t>(axis_at_place_[place])]);
     (place < k ? leading[place] : others[place - k]) = x;
   }
 }
@@ -186,7 +181,7 @@ void Sites::move(VertexId v, std::span<const double> point, double weight) {
   place(v, point);
   range_.include(point);
   if (!weighted_) return;
-  weights_[raw(v)] = weight;
+  weights_[raw(v)] = without_sign_of_zero(weight);
   range_.include_weight(weight);
 }
 

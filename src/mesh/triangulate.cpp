@@ -18,7 +18,10 @@ namespace {
 
 /// Moves `rows` to the front, which become the first simplex; what stood there takes their places.
 void bring_to_front(std::span<Index> order, std::span<const Index> rows) {
-  for (std::size_t i = 0; i < rows.size(); ++i) std::swap(order[i], *std::ranges::find(order.subspan(i), rows[i]));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto found = std::ranges::find(order.subspan(i), rows[i]);
+    std::swap(order[i], *found);  // it is there: rows are distinct
+  }
 }
 
 }  // namespace

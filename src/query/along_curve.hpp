@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "base/chunks.hpp"
 #include "delone/base/arithmetic.hpp"

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <vector>
 
@@ -52,24 +51,6 @@ TEST(Insert, one_by_one_from_nothing_equals_building) {
       for (std::size_t row = 0; row < n; ++row) {
         insert(t, points.view()[row], points.view().weight(row));
         ASSERT_EQ(description(t), description(built(rows(points, 0, row + 1)))) << points;
-      }
-    }
-  }
-}
-
-TEST(Insert, each_row_keeps_the_signs_of_its_zeros) {
-  for (int dimension = 1; dimension <= 3; ++dimension) {
-    PointSet points = uniform(dimension, 3000, 1);
-    for (int i = 0; i < 64; ++i) {  // in several rounds, so that not the lowest row comes first
-      for (int axis = 0; axis < dimension; ++axis) points.coordinates.push_back((i >> axis) % 2 == 0 ? -0.0 : 0.0);
-    }
-    points.weights.assign(points.size(), 0.0);
-    const AnyTriangulation t = built(points);
-    for (Index row = 0; row < points.size(); ++row) {
-      for (int axis = 0; axis < dimension; ++axis) {
-        const double x = t.sites().coordinate(t.sites().vertex(row), axis);
-        const double given = points.view()[row][static_cast<std::size_t>(axis)];
-        EXPECT_EQ(std::signbit(x), std::signbit(given)) << row << ' ' << axis;
       }
     }
   }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <span>
 #include <vector>
 
 namespace delone {
@@ -24,6 +26,20 @@ TEST(Sites, coordinates_come_back_on_their_axes) {
   for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(sites.coordinate(VertexId{0}, axis), axis + 1.0);
   EXPECT_EQ(sites.weight(VertexId{1}), 0.25);
   EXPECT_EQ(sites.range().magnitude, 6.0);
+}
+
+TEST(Sites, zeros_have_no_sign) {
+  const std::vector<double> point{-0.0, 1, -0.0};
+  const Index row = 0;
+  for (const Flat& flat : {Flat{2, {1, 2}}, Flat{3, {0, 1, 2}}}) {
+    Sites sites(3, true, flat);
+    sites.append(point, -0.0, 0);
+    sites.append(PointsView(point, 3, std::vector{-0.0}), std::span(&row, 1), 1, 1);
+    for (const VertexId v : {VertexId{0}, VertexId{1}}) {
+      for (const int axis : {0, 2}) EXPECT_FALSE(std::signbit(sites.coordinate(v, axis))) << axis;
+      EXPECT_FALSE(std::signbit(sites.weight(v)));
+    }
+  }
 }
 
 TEST(Sites, rows_and_vertices_are_inverse) {

@@ -37,6 +37,8 @@ struct NumberRange {
   void include(const NumberRange& other);
 };
 
+/// Coordinates and weights as they were given, but a zero has no sign: it does not show which of equal points came
+/// first.
 class Sites {
  public:
   explicit Sites(int dimension, bool weighted = false, Flat flat = {});
@@ -84,7 +86,7 @@ class Sites {
     DELONE_ASSERT(!is_removed(row), "I9 a removed row has no site");
     return VertexId{vertex_of_[row]};
   }
-  /// Equal points may trade their rows, and with them the signs of their zeros.
+  /// Equal points may trade their rows.
   void swap_rows(VertexId a, VertexId b);
 
   /// Room for `count` more sites; on std::bad_alloc nothing has changed.

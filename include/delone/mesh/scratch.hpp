@@ -1,6 +1,7 @@
 // Working memory of an insertion, kept from one to the next so that nothing is allocated after warm-up.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -125,7 +126,7 @@ struct Scratch {
     if (slots <= marks.size()) return;
     marks.reserve_more(slots - marks.size());
     slots = std::min(with_spare(slots), marks.capacity());
-    planes.reserve(marks.capacity() * plane_size(k));
+    planes.reserve_more((slots - marks.size()) * plane_size(k));
     planes.resize(slots * plane_size(k), std::byte{0});
     marks.resize(slots, Mark::none);
   }

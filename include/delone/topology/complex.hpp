@@ -72,7 +72,7 @@ class Complex {
 
   /// Room for `cells` more live cells and vertices below `vertex_slots`; on std::bad_alloc nothing has changed.
   void reserve_more(std::size_t cells, std::size_t vertex_slots);
-  /// Room for slots below `slots` and no more. @throws as above
+  /// Room for slots below `slots`, or a little more. @throws as above
   void reserve_slots(std::size_t slots) { ids_.reserve(slots * stride()); }
   /// Vertices below `count` may be used; new ones are in no cell. Requires reserved room.
   void grow_vertices(std::size_t count) { incident_.resize(count, kNone); }
