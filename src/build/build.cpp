@@ -50,6 +50,13 @@ void build_cells(Mesh& mesh, std::size_t count, const BuildOptions& options) {
   }
 }
 
+Mesh divided(PointsView points, const Flat& flat, const BuildOptions& options) {
+  if (options.order == Order::automatic) return triangulate_plane(points, flat, options.threads, options.progress);
+  const auto cut = options.order == Order::hilbert ? curve_cuts : strip_cuts;
+  const CutPlan plan{cut(points, std::span(flat.axes).first(2), options.threads)};
+  return triangulate_plane(points, flat, plan, options.threads, options.progress);
+}
+
 AnyTriangulation built_by_method(PointsView points, const BuildOptions& options) {
   Stopwatch watch;
   const Order order = options.order == Order::automatic ? usual_order(options.method) : options.order;
@@ -68,19 +75,14 @@ AnyTriangulation build(PointsView points, const BuildOptions& options) {
   require_ordered(options.method, options.order);
   require_finite(points);
   const ExactEnvironment environment;
-  const bool divide = options.method == Method::divide_conquer;
-  if (options.order == Order::automatic && (divide || options.method == Method::automatic)) {
+  if (options.method == Method::automatic && options.order == Order::automatic) {
     return triangulated(points, options.threads, options.progress);
   }
   const AffineHull hull = affine_hull(points);
   if (hull.flat.dimension < info(options.method).least_dimension) {
     return triangulated(points, options.threads, options.progress);
   }
-  if (divide) {
-    const auto cut = options.order == Order::hilbert ? curve_cuts : strip_cuts;
-    const CutPlan plan{cut(points, std::span(hull.flat.axes).first(2), options.threads)};
-    return finished(triangulate_plane(points, hull.flat, plan, options.threads, options.progress));
-  }
+  if (options.method == Method::divide_conquer) return finished(divided(points, hull.flat, options));
   return built_by_method(points, options);
 }
 

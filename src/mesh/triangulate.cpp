@@ -14,9 +14,6 @@
 #include "mesh/wrap_few.hpp"
 
 namespace delone {
-namespace {
-
-/// Moves `rows` to the front, which become the first simplex; what stood there takes their places.
 void bring_to_front(std::span<Index> order, std::span<const Index> rows) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto found = std::ranges::find(order.subspan(i), rows[i]);
@@ -24,23 +21,15 @@ void bring_to_front(std::span<Index> order, std::span<const Index> rows) {
   }
 }
 
-}  // namespace
-
 Mesh triangulate_points(PointsView points, int threads, const Progress& progress) {
   Stopwatch watch;
   const AffineHull hull = affine_hull(points);
-  const std::span axes = std::span(hull.flat.axes).first(static_cast<std::size_t>(std::max(hull.flat.dimension, 0)));
-  if (axes.size() == 2 && !points.weighted()) {
-    const CutPlan plan = plane_cuts(points, hull.flat, threads);
-    const double ordered = watch.lap();
-    Mesh mesh = triangulate_plane(points, hull.flat, plan, threads, progress);
-    mesh.statistics.order_seconds += ordered;
-    return mesh;
-  }
   if (std::optional<Mesh> mesh = wrap_few(points, hull, progress)) {
     mesh->statistics.insert_seconds = watch.lap();
     return *std::move(mesh);
   }
+  const std::span axes = std::span(hull.flat.axes).first(static_cast<std::size_t>(std::max(hull.flat.dimension, 0)));
+  if (axes.size() == 2 && !points.weighted()) return triangulate_plane(points, hull.flat, threads, progress);
   Mesh mesh(Sites(points.dimension(), points.weighted(), hull.flat));
   Buffer<Index> order = brio_order(points, axes, threads);
   const std::vector<std::size_t> rounds = round_ends(order, static_cast<int>(axes.size()));
@@ -49,6 +38,15 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
   mesh.statistics.order_seconds = watch.lap();
   insert_all_in_rounds(mesh, rounds, threads, progress);
   mesh.statistics.insert_seconds = watch.lap();
+  return mesh;
+}
+
+Mesh triangulate_plane(PointsView points, const Flat& flat, int threads, const Progress& progress) {
+  Stopwatch watch;
+  const CutPlan plan = plane_cuts(points, flat, threads);
+  const double seconds = watch.lap();
+  Mesh mesh = triangulate_plane(points, flat, plan, threads, progress);
+  mesh.statistics.order_seconds += seconds;
   return mesh;
 }
 

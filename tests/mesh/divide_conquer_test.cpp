@@ -31,8 +31,11 @@ std::uint64_t incremental_hash(const PointSet& points) {
   return canonical_hash(build(PointsView(points.coordinates, 2, std::vector<double>(points.size(), 1.0))));
 }
 
+/// By divide and conquer, however few the points are.
+AnyTriangulation divided(const PointSet& points) { return build(points.view(), {.method = Method::divide_conquer}); }
+
 void expect_incremental(const PointSet& points) {
-  const AnyTriangulation t = built(points);
+  const AnyTriangulation t = divided(points);
   EXPECT_EQ(broken_invariant(t), "") << points;
   EXPECT_EQ(canonical_hash(t), incremental_hash(points)) << points;
 }
@@ -62,7 +65,7 @@ TEST(DivideConquer, three_sites_make_no_cell_in_vain) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const PointSet points = uniform(2, 3, seed);
     expect_incremental(points);
-    EXPECT_EQ(built(points).statistics().cells_created, 4U) << points;
+    EXPECT_EQ(divided(points).statistics().cells_created, 4U) << points;
   }
 }
 
@@ -72,7 +75,7 @@ TEST(DivideConquer, boxes_of_three_sites_are_found_among_others) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     PointSet points = uniform(2, 6, seed);
     for (std::size_t i = 0; i < 3; ++i) points.coordinates[2 * i + seed % 2] += 100.0;
-    const AnyTriangulation t = built(points);
+    const AnyTriangulation t = divided(points);
     expect_incremental(points);
     EXPECT_EQ(t.statistics().cells_created, 4 + 4 + (t.cell_count() - 2) + 2) << points;
   }
@@ -177,7 +180,7 @@ TEST(DivideConquer, small_pieces_lead_to_the_same) {
     for (const std::size_t piece : {1U, 3U, 50U}) {
       const AnyTriangulation t = divided(points, false, piece);
       EXPECT_EQ(broken_invariant(t), "") << points << ", " << piece;
-      EXPECT_EQ(description(t), description(built(points))) << points << ", " << piece;
+      EXPECT_EQ(description(t), description(divided(points))) << points << ", " << piece;
     }
   }
 }
@@ -232,7 +235,7 @@ TEST(DivideConquer, points_on_a_curve_are_cut_into_strips_across_it) {
   for (const std::size_t axis : {0U, 1U}) {
     const PointSet points = around_ellipse(kCount, axis, 0.0);
     expect_incremental(points);
-    EXPECT_LT(built(points).statistics().cells_created, 5 * kCount);
+    EXPECT_LT(divided(points).statistics().cells_created, 5 * kCount);
     PointSet lifted{"in space", 3, {}, {}};
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto p = points.view()[i];
@@ -247,7 +250,7 @@ TEST(DivideConquer, pieces_of_a_turned_curve_are_knit_as_chains) {
   constexpr std::size_t kCount = 20000;
   const PointSet points = turned_ellipse(kCount);
   expect_incremental(points);
-  EXPECT_LT(built(points).statistics().cells_created, 12 * kCount);
+  EXPECT_LT(divided(points).statistics().cells_created, 12 * kCount);
   PointSet tilted{"in space", 3, {}, {}};
   for (std::size_t i = 0; i < kCount; ++i) {
     const auto p = points.view()[i];
@@ -260,7 +263,7 @@ TEST(DivideConquer, pieces_of_a_turned_curve_are_knit_as_chains) {
   PointSet rounded = points;
   for (double& x : rounded.coordinates) x = std::round(x * 0x1p17) * 0x1p-17;
   expect_incremental(rounded);
-  EXPECT_LT(built(rounded).statistics().cells_created, 14 * kCount);
+  EXPECT_LT(divided(rounded).statistics().cells_created, 14 * kCount);
 }
 
 /// Where the triangulation is a fan a site makes a cell and two ghost cells; else no more than a few, where halves
@@ -297,7 +300,7 @@ TEST(DivideConquer, points_around_a_curve_are_cut_into_boxes) {
   for (const double width : {0.01, 0.1}) {
     const PointSet points = around_ellipse(kCount, 0, width);
     expect_incremental(points);
-    EXPECT_LT(built(points).statistics().cells_created, 10 * kCount);
+    EXPECT_LT(divided(points).statistics().cells_created, 10 * kCount);
   }
 }
 
@@ -315,16 +318,16 @@ TEST(DivideConquer, boxes_and_strips_are_cut_when_they_are_asked_for) {
 TEST(DivideConquer, a_sample_may_span_less_than_all_points) {
   PointSet heap{"heap", 2, std::vector<double>(40000, 3.0), {}};
   heap.coordinates.insert(heap.coordinates.end(), {4.0, 3.0, 3.0, 5.0});
-  EXPECT_EQ(built(heap).cell_count(), 1U);
-  EXPECT_EQ(built(heap).vertex_count(), 3U);
+  EXPECT_EQ(divided(heap).cell_count(), 1U);
+  EXPECT_EQ(divided(heap).vertex_count(), 3U);
   PointSet line{"line", 2, {7.0, -1.0}, {}};
   for (int i = 0; i < 20000; ++i) line.coordinates.insert(line.coordinates.end(), {i * 1.0, i * 2.0});
-  EXPECT_EQ(built(line).cell_count(), 19999U);
+  EXPECT_EQ(divided(line).cell_count(), 19999U);
   expect_incremental(line);
 }
 
 TEST(DivideConquer, of_equal_points_the_first_row_is_the_vertex) {
-  const AnyTriangulation t = built({"twice", 2, {5, 5, 0, 0, 9, 0, 5, 5, 0, 9, 0, 0, 5, 5}, {}});
+  const AnyTriangulation t = divided({"twice", 2, {5, 5, 0, 0, 9, 0, 5, 5, 0, 9, 0, 0, 5, 5}, {}});
   EXPECT_EQ(t.vertex_count(), 4U);
   EXPECT_EQ(t.status(0), (RowStatus{Status::vertex, 0}));
   EXPECT_EQ(t.status(3), (RowStatus{Status::duplicate, 0}));
@@ -333,7 +336,7 @@ TEST(DivideConquer, of_equal_points_the_first_row_is_the_vertex) {
 }
 
 TEST(DivideConquer, two_cells_a_vertex_and_none_dead) {
-  const AnyTriangulation t = built(uniform(2, 5000, 1));
+  const AnyTriangulation t = divided(uniform(2, 5000, 1));
   EXPECT_EQ(t.complex().slot_count(), 2 * 5000U - 2);
   EXPECT_EQ(t.complex().live_count(), 2 * 5000U - 2);
   EXPECT_LT(t.statistics().cells_created, 9U * 5000U);

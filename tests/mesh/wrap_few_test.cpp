@@ -13,7 +13,7 @@
 #include "delone/base/errors.hpp"
 #include "delone/build/build.hpp"
 #include "delone/geometry/affine.hpp"
-#include "geometry/sixteen_sites.hpp"
+#include "geometry/sixteen.hpp"
 #include "support/expectations.hpp"
 #include "support/families.hpp"
 
@@ -39,7 +39,7 @@ bool expect_inserted(const PointSet& points) {
 
 bool can_wrap() {
 #ifdef DELONE_SIXTEENS
-  return SixteenSites::possible();
+  return sixteen::possible();
 #else
   return false;
 #endif
@@ -84,13 +84,93 @@ TEST(WrapFew, usual_points_are_wrapped) {
   }
 }
 
+TEST(WrapFew, agrees_with_insertion_on_every_family_in_the_plane) {
+  for (std::size_t n = 4; n < 40; ++n) {
+    for (const PointSet& points : unweighted_families(2, n, n)) expect_inserted(points);
+  }
+  for (const std::size_t n : {100U, 240U}) {
+    for (const PointSet& points : unweighted_families(2, n, n)) expect_inserted(points);
+  }
+}
+
+/// All but a few, since floats find the cells.
+TEST(WrapFew, usual_points_of_the_plane_are_wrapped) {
+  int count = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    count += expect_inserted(uniform(2, 4 + seed % 237, seed)) ? 1 : 0;
+    count += expect_inserted(moved(uniform(2, 100, seed), 1e-3, 1e6)) ? 1 : 0;
+  }
+  EXPECT_GT(count, can_wrap() ? 590 : -1);
+}
+
+TEST(WrapFew, few_points_of_the_plane_with_ties) {
+  int count = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    // One square, found late or soon, in the middle or as a part of the hull.
+    const PointSet square{"square", 2, {0, 0, 0, 1, 1, 0, 1, 1}, {}};
+    count += expect_inserted(joined(uniform(2, 60, seed), moved(square, 0.25, 0.375))) ? 1 : 0;
+    count += expect_inserted(joined(uniform(2, 20, seed), square)) ? 1 : 0;
+    count += expect_inserted(joined(square, uniform(2, 20, seed))) ? 1 : 0;
+    // Collinear on the hull.
+    PointSet sides = uniform(2, 40, seed);
+    for (std::size_t i = 0; i < 10; ++i) sides.coordinates[2 * i + seed % 2] = i % 2 == 0 ? 0.0 : 1.0;
+    count += expect_inserted(sides) ? 1 : 0;
+  }
+  EXPECT_GT(count, can_wrap() ? 250 : -1);
+}
+
+TEST(WrapFew, few_points_of_the_plane_with_near_ties) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    for (const double error : {1e-4, 1e-6, 1e-7, 1e-8, 1e-12, 1e-15}) {
+      PointSet points = uniform(2, 60, seed);
+      const PointSet noise = uniform(2, 60, seed + 1);
+      for (std::size_t i = 0; i < points.coordinates.size(); ++i) {
+        points.coordinates[i] = std::floor(points.coordinates[i] * 16) / 16 + error * noise.coordinates[i];
+      }
+      expect_inserted(points);
+      expect_inserted(moved(points, 1.0, -0.5));
+      expect_inserted(joined(points, rows(points, 0, 1)));
+    }
+  }
+}
+
+TEST(WrapFew, clusters_strips_and_curves_in_the_plane) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    for (const double size : {0.1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-9}) {
+      expect_inserted(joined(moved(uniform(2, 50, seed), size, 0.5), uniform(2, 50, seed + 1)));
+      expect_inserted(moved(uniform(2, 50, seed), size, 100.0));
+      PointSet strip = uniform(2, 100, seed);
+      PointSet arc = strip;
+      for (std::size_t i = 0; i < 100; ++i) strip.coordinates[2 * i] *= size;
+      for (std::size_t i = 0; i < 100; ++i) arc.coordinates[2 * i + 1] = size * std::sin(3 * arc.coordinates[2 * i]);
+      expect_inserted(strip);
+      expect_inserted(arc);
+    }
+  }
+}
+
+TEST(WrapFew, units_do_not_matter_in_the_plane) {
+  const PointSet points = uniform(2, 60, 7);
+  for (const double unit : {0x1p-990, 0x1p-300, 0x1p-30, 0x1p30, 0x1p300, 0x1p1000}) {
+    expect_wrapped(moved(points, unit, 0.0));
+  }
+  expect_inserted(moved(points, 0x1p-1040, 0.0));
+  expect_inserted(moved(points, 0x1p1023, 0.0));
+  expect_wrapped(moved(moved(points, 2.0, -1.0), 1.9 * 0x1p1023, 0.0));
+}
+
 TEST(WrapFew, others_are_not) {
+  EXPECT_FALSE(wrapped(uniform(2, 241, 1)));
+  EXPECT_FALSE(wrapped(uniform(2, 3, 1)));
+  EXPECT_FALSE(wrapped(with_random_weights(uniform(2, 100, 1), 1)));
+  EXPECT_FALSE(wrapped(cospherical(2, 48, 1)));
+  EXPECT_FALSE(wrapped(flat(2, 1, 100, 1)));
+  EXPECT_FALSE(wrapped(flat(3, 2, 100, 1)));
+
   EXPECT_FALSE(wrapped(uniform(3, 11, 1)));
   EXPECT_FALSE(wrapped(uniform(3, 241, 1)));
-  EXPECT_FALSE(wrapped(uniform(2, 100, 1)));
   EXPECT_FALSE(wrapped(uniform(4, 100, 1)));
   EXPECT_FALSE(wrapped(flat(4, 3, 100, 1)));
-  EXPECT_FALSE(wrapped(flat(3, 2, 100, 1)));
   EXPECT_FALSE(wrapped(cospherical(3, 48, 1)));
 }
 
@@ -131,8 +211,10 @@ TEST(WrapFew, it_is_given_up_where_exact_tests_are_many) {
 }
 
 TEST(WrapFew, a_caller_may_cancel) {
-  const PointSet points = uniform(3, 100, 1);
-  EXPECT_THROW(build(points.view(), {.progress = [](double) { return false; }}), Cancelled);
+  for (const int dimension : {2, 3}) {
+    const PointSet points = uniform(dimension, 100, 1);
+    EXPECT_THROW(build(points.view(), {.progress = [](double) { return false; }}), Cancelled);
+  }
 }
 
 TEST(WrapFew, work_is_counted) {
@@ -142,6 +224,13 @@ TEST(WrapFew, work_is_counted) {
   EXPECT_EQ(t.statistics().cells_created, t.cell_count() + t.hull_facet_count());
   EXPECT_EQ(t.statistics().predicates.conflict_filter, 100 * t.statistics().cells_created);
   EXPECT_GT(t.statistics().predicates.orient_exact + t.statistics().predicates.orient_filter, 0U);
+}
+
+TEST(WrapFew, work_is_counted_in_the_plane) {
+  if (!can_wrap()) GTEST_SKIP() << "the processor cannot";
+  const AnyTriangulation t = *wrapped(uniform(2, 100, 1));
+  EXPECT_EQ(t.statistics().cells_created, 198U);
+  EXPECT_EQ(t.statistics().predicates.conflict_filter, 297U);  // edges
 }
 
 /// All but a few are wrapped: not those whose first cell has a tie.

@@ -1,9 +1,6 @@
 // Few sites of space, sixteen looked at side by side: which of them makes the next cell, and which may lie below a
 // hyperplane. In floats: what these do not tell is left to exact tests.
 //
-// Departure, for speed: vector instructions of one family of processors, written out. The compiler may use them in
-// these functions only; whoever calls them has asked the processor.
-//
 // Error: coordinates are multiplied by a power of two that makes them less than 1; lifts are then at most L. A plane
 // N . x + h l + c through lifted sites has terms whose sizes sum up to at most 2 s, s = |N_x| + |N_y| + |N_z| + L |h|.
 // In floats each passes at most 6 roundings, of its factor, of the site and of sums: 12 * 2^-24 s, which is less than
@@ -11,19 +8,12 @@
 // 2 L for lifts; what that is off by moves no sum of terms by more than 9000 * 2^-53 (L + 6).
 #pragma once
 
-#if defined(__x86_64__)
-#define DELONE_SIXTEENS 1
-#define DELONE_BY_SIXTEENS [[gnu::target("avx512f,fma,popcnt")]]
-#define DELONE_INLINE_BY_SIXTEENS DELONE_BY_SIXTEENS [[gnu::always_inline]] inline
+#include "geometry/sixteen.hpp"
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wuninitialized"  // of a vector of any value, which GCC 12 writes like that
-#include <immintrin.h>
-#pragma GCC diagnostic pop
+#ifdef DELONE_SIXTEENS
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -32,26 +22,13 @@
 #include "delone/geometry/filter.hpp"
 #include "delone/geometry/sites.hpp"
 
-namespace delone {
+namespace delone::sixteen {
 
-class SixteenSites {
-  using Four = __m256d;     // x, y, z and lift of a site, or of a normal
-  using Sixteen = __m512;   // one number of each of sixteen sites
-  using Numbers = __m512i;  // which sites these are
+class InSpace {
+  using Four = Doubles;  // x, y, z and lift of a site, or of a normal
+  using Sixteen = Floats;
 
  public:
-  static constexpr std::size_t kMost = 240;
-  /// No site.
-  static constexpr Index kNobody = 255;
-  static_assert(kMost % 16 == 0 && kMost <= kNobody);
-
-  /// Whether this processor can.
-  static bool possible() {
-    static const bool can = __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("fma") != 0 &&
-                            __builtin_cpu_supports("popcnt") != 0;
-    return can;
-  }
-
   /// A hyperplane in lifted space: how far sites lie above it or, where it is vertical, inside.
   struct Plane {
     __m128 factors;  ///< of x, y, z and lift
@@ -65,11 +42,11 @@ class SixteenSites {
     Plane wall;  ///< vertical, through the facet
   };
   /// A set of sites, a bit each.
-  using Set = std::array<std::uint16_t, kMost / 16>;
+  using Set = std::array<std::uint16_t, kMostSites / 16>;
   static bool has(const Set& set, Index i) { return (set[i / 16] >> (i % 16) & 1) != 0; }
 
-  /// At most kMost sites that lie in space.
-  DELONE_BY_SIXTEENS explicit SixteenSites(const Sites& sites) : groups_((sites.size() + 15) / 16) {
+  /// At most kMostSitesSites sites that lie in space.
+  DELONE_BY_SIXTEENS explicit InSpace(const Sites& sites) : groups_((sites.size() + 15) / 16) {
     const double scale = std::ldexp(1.0, std::min(-std::ilogb(sites.range().magnitude) - 1, 1023));
     for (std::size_t i = 0; i < sites.size(); ++i) {
       std::array<double, 4>& row = rows_[i];
@@ -177,7 +154,6 @@ class SixteenSites {
 
  private:
   static constexpr float kTiny = 1e-30F;
-  static constexpr int kName = 0xFF;
 
   DELONE_INLINE_BY_SIXTEENS Sixteen lanes(std::size_t number, std::size_t group) const {
     return _mm512_load_ps(&lanes_[number][16 * group]);
@@ -192,43 +168,22 @@ class SixteenSites {
           z(_mm512_broadcastss_ps(_mm_permute_ps(p.factors, 0xAA))),
           lift(_mm512_broadcastss_ps(_mm_permute_ps(p.factors, 0xFF))),
           offset(_mm512_set1_ps(p.offset)) {}
-    DELONE_INLINE_BY_SIXTEENS Sixteen operator()(const SixteenSites& sites, std::size_t group) const {
+    DELONE_INLINE_BY_SIXTEENS Sixteen operator()(const InSpace& sites, std::size_t group) const {
       return _mm512_fmadd_ps(lift, sites.lanes(3, group), flat(sites, group));
     }
     /// The same of a vertical one.
-    DELONE_INLINE_BY_SIXTEENS Sixteen flat(const SixteenSites& sites, std::size_t group) const {
+    DELONE_INLINE_BY_SIXTEENS Sixteen flat(const InSpace& sites, std::size_t group) const {
       const Sixteen sum = _mm512_fmadd_ps(x, sites.lanes(0, group), offset);
       return _mm512_fmadd_ps(z, sites.lanes(2, group), _mm512_fmadd_ps(y, sites.lanes(1, group), sum));
     }
   };
 
-  /// The numbers with those of their sites in the last binary digits.
-  DELONE_INLINE_BY_SIXTEENS static Sixteen named(Sixteen numbers, std::size_t group) {
-    const Numbers sites = _mm512_add_epi32(_mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15),
-                                           _mm512_set1_epi32(static_cast<int>(16 * group)));
-    constexpr int kKeptOrNamed = 0xEA;  // a & b | c
-    return _mm512_castsi512_ps(
-        _mm512_ternarylogic_epi32(_mm512_castps_si512(numbers), _mm512_set1_epi32(~kName), sites, kKeptOrNamed));
-  }
-  /// The site whose number this is, if that is above a bound. The name lifts a number by up to 2^-15 of itself.
-  static Index name_of(float number, float bound) {
-    return number > bound ? std::bit_cast<std::uint32_t>(number) & kName : kNobody;
-  }
+  /// The same if that is above a bound.
+  static Index name_of(float number, float bound) { return number > bound ? sixteen::name_of(number) : kNobody; }
 
   DELONE_INLINE_BY_SIXTEENS Four place(Index i) const { return _mm256_load_pd(rows_[i].data()); }
   DELONE_INLINE_BY_SIXTEENS static Four lift(Four a) { return _mm256_permute4x64_pd(a, 0xFF); }
   DELONE_INLINE_BY_SIXTEENS static Four magnitude(Four a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a); }
-  /// In space; of lifts nothing is left.
-  DELONE_INLINE_BY_SIXTEENS static Four cross(Four a, Four b) {
-    const Four c = _mm256_sub_pd(_mm256_mul_pd(a, next(b)), _mm256_mul_pd(next(a), b));
-    return next(c);
-  }
-  DELONE_INLINE_BY_SIXTEENS static Four next(Four a) { return _mm256_permute4x64_pd(a, 0b11001001); }
-  DELONE_INLINE_BY_SIXTEENS static __m128d sums(Four a, Four b) {
-    const Four pairs = _mm256_hadd_pd(a, b);
-    return _mm_add_pd(_mm256_castpd256_pd128(pairs), _mm256_extractf128_pd(pairs, 1));
-  }
-  DELONE_INLINE_BY_SIXTEENS static double first(__m128d a) { return _mm_cvtsd_f64(a); }
   DELONE_INLINE_BY_SIXTEENS static double second(__m128d a) { return _mm_cvtsd_f64(_mm_unpackhi_pd(a, a)); }
   DELONE_INLINE_BY_SIXTEENS Plane rounded(Four factors, double offset, double size) const {
     return {_mm256_cvtpd_ps(factors), static_cast<float>(offset), static_cast<float>(1e-6 * size + least_bound_)};
@@ -237,10 +192,10 @@ class SixteenSites {
   std::size_t groups_;
   double largest_lift_ = 0.0;
   double least_bound_ = 0.0;
-  alignas(64) std::array<std::array<double, 4>, kMost> rows_;
-  alignas(64) std::array<std::array<float, kMost>, 4> lanes_;
+  alignas(64) std::array<std::array<double, 4>, kMostSites> rows_;
+  alignas(64) std::array<std::array<float, kMostSites>, 4> lanes_;
 };
 
-}  // namespace delone
+}  // namespace delone::sixteen
 
 #endif

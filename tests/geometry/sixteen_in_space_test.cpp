@@ -1,5 +1,5 @@
 // What floats are sure of is so, and they are sure of most.
-#include "geometry/sixteen_sites.hpp"
+#include "geometry/sixteen_in_space.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,6 +19,7 @@
 namespace delone {
 namespace {
 
+using sixteen::InSpace;
 using test::PointSet;
 using test::Random;
 using test::unit_random;
@@ -34,12 +35,12 @@ Sites sites_of(const PointSet& points) {
 /// Four sites, and what floats leave open about the cell that they make, and about its facet opposite the last.
 struct Answer {
   std::array<Index, 4> cell;
-  SixteenSites::Set beside_cell, beside_wall;
+  InSpace::Set beside_cell, beside_wall;
 };
 
 /// Of all that are positively oriented. None when none of them is so for sure: then some weight is very large.
 DELONE_BY_SIXTEENS std::vector<Answer> answers_of(const Sites& sites, const Kernel<3>& kernel) {
-  const SixteenSites sixteen(sites);
+  const InSpace sixteen(sites);
   std::vector<Answer> answers;
   bool any_sure = false;
   const auto n = static_cast<Index>(sites.size());
@@ -51,8 +52,8 @@ DELONE_BY_SIXTEENS std::vector<Answer> answers_of(const Sites& sites, const Kern
           const int side = kernel.exact_orient({VertexId{a}, VertexId{b}, VertexId{c}, VertexId{d}});
           if (side < 0) std::swap(cell[0], cell[1]);
           if (side == 0) continue;
-          const SixteenSites::Facet facet = sixteen.facet(cell);
-          const SixteenSites::Plane plane = sixteen.plane(facet, d);
+          const InSpace::Facet facet = sixteen.facet(cell);
+          const InSpace::Plane plane = sixteen.plane(facet, d);
           any_sure = any_sure || sixteen.is_positive(plane);
           answers.push_back({cell, sixteen.doubts(plane), sixteen.doubts(facet.wall)});
         }
@@ -65,7 +66,7 @@ DELONE_BY_SIXTEENS std::vector<Answer> answers_of(const Sites& sites, const Kern
 
 /// Returns the share of what is sure.
 double expect_right(const PointSet& points) {
-  if (!SixteenSites::possible()) return 1.0;
+  if (!sixteen::possible()) return 1.0;
   const Sites sites = sites_of(points);
   Kernel<3> kernel(sites);
   std::size_t sure = 0;
@@ -76,8 +77,8 @@ double expect_right(const PointSet& points) {
                                VertexId{answer.cell[3]}};
     for (Index v = 0; v < points.size(); ++v) {
       const auto corner = std::ranges::find(answer.cell, v) - answer.cell.begin();
-      const bool sure_above = !SixteenSites::has(answer.beside_cell, v);
-      const bool sure_inside = !SixteenSites::has(answer.beside_wall, v);
+      const bool sure_above = !InSpace::has(answer.beside_cell, v);
+      const bool sure_inside = !InSpace::has(answer.beside_wall, v);
       if (corner < 4) {
         wrong += sure_above ? 1U : 0U;
         wrong += sure_inside && corner < 3 ? 1U : 0U;
@@ -106,7 +107,7 @@ PointSet near_a_line(Random& random) {
   return points;
 }
 
-TEST(SixteenSites, what_is_sure_is_so) {
+TEST(SixteenInSpace, what_is_sure_is_so) {
   Random random(1);
   for (int i = 0; i < 60; ++i) {
     PointSet points = near_a_line(random);
@@ -118,14 +119,14 @@ TEST(SixteenSites, what_is_sure_is_so) {
   }
 }
 
-TEST(SixteenSites, every_family) {
+TEST(SixteenInSpace, every_family) {
   for (const PointSet& points : test::families(3, 12, 5)) {
     if (affine_dimension(points.view()) == 3) expect_right(points);
   }
 }
 
 /// What lies below, or outside of a wall, is open by its nature; that is about half.
-TEST(SixteenSites, uniform_sites_leave_little_open) { EXPECT_GT(expect_right(test::uniform(3, 20, 1)), 0.4); }
+TEST(SixteenInSpace, uniform_sites_leave_little_open) { EXPECT_GT(expect_right(test::uniform(3, 20, 1)), 0.4); }
 
 }  // namespace
 }  // namespace delone
