@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "delone/base/arithmetic.hpp"
@@ -44,6 +45,13 @@ bool extend(PointsView points, std::vector<Index>& basis, std::vector<int>& axes
 }
 
 }  // namespace
+
+void AffineHull::bring_to_front(std::span<Index> order) const {
+  for (std::size_t i = 0; i < size(flat.dimension + 1); ++i) {
+    const auto found = std::ranges::find(order.subspan(i), basis[i]);
+    std::swap(order[i], *found);  // it is there: rows are distinct
+  }
+}
 
 AffineHull affine_hull(PointsView points) {
   const ExactEnvironment environment;

@@ -2,8 +2,9 @@
 // answer to be checked, for which there are planes through the lifted corners of a triangle, in doubles.
 //
 // Error of a height: coordinates are seen from the middle of the sites, and multiplied by a power of two that makes
-// them less than 1/2; so lifts are. Written out, a height is a sum of terms whose sizes add up to at most 6, each of
-// which passes at most 14 roundings; 6 * 14 * 2^-53 is less than 2^-46.
+// them less than 1/2; so lifts are. Written out, a height is a sum of 48 products of two coordinates and a lift, each
+// less than 1/8. Each passes at most 15 roundings: of these factors, of two differences, of two products, and of sums.
+// So it is off by at most 6 * 15 * 2^-53, less than 2^-46; what underflows is less than 2^-1000.
 #pragma once
 
 #include "geometry/sixteen.hpp"
@@ -16,6 +17,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "delone/base/assert.hpp"
 #include "delone/geometry/sites.hpp"
 
 namespace delone::sixteen {
@@ -42,12 +44,14 @@ class InPlane {
       }
     }
     const std::array<double, 2> middle{low[0] / 2 + high[0] / 2, low[1] / 2 + high[1] / 2};
-    const double radius = std::max(high[0] - middle[0], high[1] - middle[1]);
+    double radius = 0.0;  // seen from a rounded middle, two numbers side by side are both on one side
+    for (std::size_t j = 0; j < 2; ++j) radius = std::max({radius, high[j] - middle[j], middle[j] - low[j]});
     usable_ = radius > 0x1p-1000;
     const double scale = usable_ ? std::ldexp(1.0, -std::ilogb(radius) - 2) : 0.0;
     for (std::size_t i = 0; i < sites.size(); ++i) {
       Row& row = rows_[i];
       for (std::size_t j = 0; j < 2; ++j) row[j] = scale * (x[2 * i + j] - middle[j]);
+      DELONE_ASSERT(std::abs(row[0]) < 0.5 && std::abs(row[1]) < 0.5, "the bound rests on that");
       row[2] = row[0] * row[0] + row[1] * row[1];
       row[3] = 1.0;
       for (std::size_t j = 0; j < 3; ++j) lanes_[j][i] = static_cast<float>(row[j]);

@@ -45,7 +45,7 @@ class InSpace {
   using Set = std::array<std::uint16_t, kMostSites / 16>;
   static bool has(const Set& set, Index i) { return (set[i / 16] >> (i % 16) & 1) != 0; }
 
-  /// At most kMostSitesSites sites that lie in space.
+  /// At most kMostSites sites that lie in space.
   DELONE_BY_SIXTEENS explicit InSpace(const Sites& sites) : groups_((sites.size() + 15) / 16) {
     const double scale = std::ldexp(1.0, std::min(-std::ilogb(sites.range().magnitude) - 1, 1023));
     for (std::size_t i = 0; i < sites.size(); ++i) {

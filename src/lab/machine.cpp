@@ -23,12 +23,21 @@ std::string line_value(const char* path, const std::string& key) {
   return "unknown";
 }
 
+/// Some are all called alike, old ones and new ones.
+std::string processor() {
+  constexpr const char* kFile = "/proc/cpuinfo";
+  const std::string name = line_value(kFile, "model name");
+  const std::string family = line_value(kFile, "cpu family");
+  if (family == "unknown") return name;
+  return fmt::format("{} (family {}, model {})", name, family, line_value(kFile, "model\t"));
+}
+
 }  // namespace
 
 std::string machine() {
   const double gib = std::strtod(line_value("/proc/meminfo", "MemTotal").c_str(), nullptr) / (1024 * 1024);
-  return fmt::format("{}, {} processors, {:.0f} GiB, {}", line_value("/proc/cpuinfo", "model name"),
-                     std::thread::hardware_concurrency(), gib, line_value("/etc/os-release", "PRETTY_NAME"));
+  return fmt::format("{}, {} processors, {:.0f} GiB, {}", processor(), std::thread::hardware_concurrency(), gib,
+                     line_value("/etc/os-release", "PRETTY_NAME"));
 }
 
 std::string today() { return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))); }

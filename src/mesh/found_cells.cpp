@@ -6,8 +6,6 @@
 // Doubles decide nearly all of this, with a bound; what remains is left to the kernel.
 #include "mesh/found_cells.hpp"
 
-#include <algorithm>
-
 #include "delone/geometry/kernel.hpp"
 #include "delone/mesh/cavity.hpp"
 #include "delone/topology/complex.hpp"
@@ -34,12 +32,10 @@ class Prover {
     mesh_.vertex_count = mesh_.sites.size();
     mesh_.statistics.cells_created += cells_.count;
     kernel_.count_filtered(3 * cells_.count / 2);
-    return is_closed_ && least_orientation_ > InPlane::kBound && summits_ == 1 && no_conflict();
+    return is_closed_ && is_oriented_ && summits_ == 1 && no_conflict();
   }
 
  private:
-  static constexpr double kFar = 1.0;
-
   DELONE_BY_SIXTEENS void fill() {
     mesh_.complex.reserve_more(cells_.due(), mesh_.sites.size());
     mesh_.complex.grow_vertices(mesh_.sites.size());
@@ -59,7 +55,7 @@ class Prover {
       } else {
         planes_[i] = sites_.plane(a, b, end);
         complex_.set_incident(VertexId{end}, c);
-        least_orientation_ = std::min(least_orientation_, InPlane::orientation(planes_[i]));
+        is_oriented_ &= InPlane::orientation(planes_[i]) > InPlane::kBound;
       }
     }
     for (int i = 0; i < 2; ++i) complex_.set_incident(complex_.vertex(CellId{0}, i), CellId{0});
@@ -71,19 +67,19 @@ class Prover {
   }
   /// Whether no cell is in conflict with the vertex across any of its facets.
   DELONE_BY_SIXTEENS bool no_conflict() {
-    double least = kFar;  // one of two facets that are glued is enough
-    for (Index c = 0; c < cells_.due(); ++c) least = std::min(least, height_across(4 * c + 2));
-    for (std::size_t i = 0; i < cells_.met_count; ++i) least = std::min(least, height_across(cells_.met[i]));
-    if (least > InPlane::kBound) return true;
+    bool sure = true;  // one of two facets that are glued is enough
+    for (Index c = 0; c < cells_.due(); ++c) sure &= surely_none(4 * c + 2);
+    for (std::size_t i = 0; i < cells_.met_count; ++i) sure &= surely_none(cells_.met[i]);
+    if (sure) return true;
     for (Index f = 0; f < 4 * cells_.due(); ++f) {
-      if (f % 4 != 3 && height_across(f) <= InPlane::kBound && is_in_conflict(f)) return false;
+      if (f % 4 != 3 && !surely_none(f) && is_in_conflict(f)) return false;
     }
     return true;
   }
-  DELONE_INLINE_BY_SIXTEENS double height_across(Index f) const {
-    return sites_.height(planes_[f / 4], cells_.across(f));
+  /// Whether doubles tell that there is no conflict across a facet; and whether there is one.
+  DELONE_INLINE_BY_SIXTEENS bool surely_none(Index f) const {
+    return sites_.height(planes_[f / 4], cells_.across(f)) > InPlane::kBound;
   }
-  /// The same, exactly.
   bool is_in_conflict(Index f) {
     const VertexId v{cells_.across(f)};
     const auto below = [&](CellId finite) { return kernel_.conflict(complex_.vertices(finite), v); };
@@ -95,9 +91,8 @@ class Prover {
   const FoundCells& cells_;
   ComplexView<2> complex_;
   Kernel<2> kernel_;
-  bool is_closed_ = true;
-  int summits_ = 0;  ///< edges of the hull that rise before one that falls
-  double least_orientation_ = kFar;
+  bool is_closed_ = true, is_oriented_ = true;
+  int summits_ = 0;                                       ///< edges of the hull that rise before one that falls
   std::array<InPlane::Plane, FoundCells::kMost> planes_;  // by cell
 };
 

@@ -34,7 +34,9 @@ struct FoundCells {
 };
 
 /// Fills the complex of a mesh with the cells. Whether they are the triangulation of all sites; if not, the complex is
-/// to be thrown away.
+/// to be thrown away. Taken for granted is what follows from how cells are found: twins are each other's and see the
+/// same edge from its two sides; of each two, one is the last facet of its cell or in `met`; each site but the first
+/// two of the first cell is somewhere the last corner.
 bool prove(Mesh& mesh, const sixteen::InPlane& sites, const FoundCells& cells);
 
 #endif

@@ -14,12 +14,6 @@
 #include "mesh/wrap_few.hpp"
 
 namespace delone {
-void bring_to_front(std::span<Index> order, std::span<const Index> rows) {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto found = std::ranges::find(order.subspan(i), rows[i]);
-    std::swap(order[i], *found);  // it is there: rows are distinct
-  }
-}
 
 Mesh triangulate_points(PointsView points, int threads, const Progress& progress) {
   Stopwatch watch;
@@ -29,11 +23,16 @@ Mesh triangulate_points(PointsView points, int threads, const Progress& progress
     return *std::move(mesh);
   }
   const std::span axes = std::span(hull.flat.axes).first(static_cast<std::size_t>(std::max(hull.flat.dimension, 0)));
-  if (axes.size() == 2 && !points.weighted()) return triangulate_plane(points, hull.flat, threads, progress);
+  if (axes.size() == 2 && !points.weighted()) {
+    const double seconds = watch.lap();
+    Mesh mesh = triangulate_plane(points, hull.flat, threads, progress);
+    mesh.statistics.order_seconds += seconds;
+    return mesh;
+  }
   Mesh mesh(Sites(points.dimension(), points.weighted(), hull.flat));
   Buffer<Index> order = brio_order(points, axes, threads);
   const std::vector<std::size_t> rounds = round_ends(order, static_cast<int>(axes.size()));
-  bring_to_front(order, std::span(hull.basis).first(points.empty() ? 0 : axes.size() + 1));
+  hull.bring_to_front(order);
   mesh.sites.append(points, order, 0, threads);
   mesh.statistics.order_seconds = watch.lap();
   insert_all_in_rounds(mesh, rounds, threads, progress);

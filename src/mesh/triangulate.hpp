@@ -1,5 +1,5 @@
 // Points in, a mesh out: the default method for each kind of input.
-//   few points, plane or space      gift wrapping, where the processor has the instructions for it
+//   few, in 2D without weights, 3D  gift wrapping, where the processor has the instructions for it
 //   in the plane, without weights   divide and conquer, whose parts need nothing of each other
 //   else                            insertion one by one along a curve, for many points by several threads
 #pragma once
@@ -24,9 +24,6 @@ Mesh triangulate_plane(PointsView points, const Flat& flat, int threads, const P
 /// The same along cuts on the two axes of their flat. Where all lie on a line it has ghosts only, where all stand at
 /// one place no cell. @throws as above
 Mesh triangulate_plane(PointsView points, const Flat& flat, const CutPlan& plan, int threads, const Progress& progress);
-
-/// Moves `rows` to the front of an order, which become the first simplex; what stood there takes their places.
-void bring_to_front(std::span<Index> order, std::span<const Index> rows);
 
 /// The triangulation of some sites; row i of it is sites[i].
 Mesh triangulate_sites(const Sites& all, std::span<const VertexId> sites);

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "geometry/sixteen.hpp"
-#include "mesh/triangulate.hpp"
 
 namespace delone {
 
@@ -23,7 +22,7 @@ std::optional<Mesh> wrap_few(PointsView points, const AffineHull& hull, const Pr
   tell(progress, 0, points.size());
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), Index{0});
-  bring_to_front(order, std::span(hull.basis).first(static_cast<std::size_t>(k + 1)));
+  hull.bring_to_front(order);
   std::optional<Mesh> mesh(Sites(points.dimension(), points.weighted(), hull.flat));
   mesh->sites.append(points, order, 0);
   if (!(in_plane ? wrap_few_in_plane(*mesh) : wrap_few_in_space(*mesh))) return std::nullopt;

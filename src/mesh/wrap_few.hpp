@@ -11,8 +11,8 @@
 
 namespace delone {
 
-/// The triangulation of few points of the plane or of space; nothing where they are too few, too many, weighted in the
-/// plane or on a flat, where floats find too little of it, or where the processor cannot.
+/// The triangulation of few points of the plane or of space; nothing where they are too few, too many, on a flat, or in
+/// the plane weighted or not all different, where floats go wrong or leave much open, or where the processor cannot.
 /// @param hull  of the points
 /// @throws Cancelled when `progress` says so
 std::optional<Mesh> wrap_few(PointsView points, const AffineHull& hull, const Progress& progress);

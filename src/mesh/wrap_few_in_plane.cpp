@@ -74,7 +74,7 @@ class Wrapper {
  public:
   Wrapper(const InPlane& sites, FoundCells& cells) : sites_(sites), cells_(cells), edges_(cells.ghost + 1) {}
 
-  /// False where it is seen to go wrong.
+  /// False where it is seen to go wrong on the way.
   DELONE_BY_SIXTEENS bool wrap() { return add_first() && add_others(); }
 
  private:
@@ -154,7 +154,7 @@ class Wrapper {
 
 }  // namespace
 
-DELONE_BY_SIXTEENS bool wrap_few_in_plane(Mesh& mesh) {
+bool wrap_few_in_plane(Mesh& mesh) {
   const InPlane sites(mesh.sites);
   FoundCells cells(mesh.sites.size());
   return sites.usable() && Wrapper(sites, cells).wrap() && prove(mesh, sites, cells);

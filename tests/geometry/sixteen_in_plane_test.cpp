@@ -98,10 +98,33 @@ TEST(SixteenInPlane, what_is_sure_is_so) {
   Random random(1);
   for (int i = 0; i < 100; ++i) {
     PointSet points = near_a_curve(random, i % 2 == 0);
+    EXPECT_TRUE(InPlane(sites_of(points)).usable());
     expect_right(points);
     for (double& x : points.coordinates) x += 1000.0 * static_cast<double>(i);
     expect_right(points);
   }
+}
+
+/// One axis has two numbers, side by side, and the other one numbers as close to each other or closer: the middle is
+/// one of the two.
+TEST(SixteenInPlane, numbers_side_by_side) {
+  Random random(2);
+  for (int i = 0; i < 300; ++i) {
+    PointSet points{"side by side", 2, {}, {}};
+    const double odd = i % 2 == 0 ? 1.0 : 1.0 + 0x1p-52;
+    for (int j = 0; j < 8; ++j) {
+      const double x = j % 2 == 0 ? odd : std::nextafter(odd, 2.0), y = std::ldexp(unit_random(random), -52 - i / 6);
+      points.coordinates.insert(points.coordinates.end(), {i % 4 < 2 ? x : y, i % 4 < 2 ? y : x});
+    }
+    EXPECT_TRUE(InPlane(sites_of(points)).usable());
+    expect_right(points);
+  }
+}
+
+TEST(SixteenInPlane, sites_at_one_place_are_not_usable) {
+  EXPECT_FALSE(InPlane(sites_of({"", 2, {1, 2, 1, 2, 1, 2}, {}})).usable());
+  EXPECT_FALSE(InPlane(sites_of({"", 2, {0, 0, 0, 0x1p-1010, 0x1p-1010, 0}, {}})).usable());
+  EXPECT_TRUE(InPlane(sites_of({"", 2, {0, 0, 0, 1, 1, 0}, {}})).usable());
 }
 
 TEST(SixteenInPlane, every_family) {

@@ -12,8 +12,8 @@
 namespace delone {
 
 enum class Method : std::uint8_t {
-  automatic,       ///< what is fastest: gift wrapping of few points, divide and conquer in the plane without weights;
-                   ///< else, or in an order, cavity
+  automatic,       ///< what is fastest: gift wrapping of few points in the plane or in space, divide and conquer in the
+                   ///< plane, if there are no weights; else, or in an order, cavity
   cavity,          ///< insert one by one: remove the cells in conflict, fill the hole [For92] 4.3
   divide_conquer,  ///< knit halves together [For92] 4.6
   flip,            ///< insert one by one: flip the facets of the link [ES96]

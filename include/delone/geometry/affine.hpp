@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "delone/base/ids.hpp"
 #include "delone/geometry/points.hpp"
@@ -12,6 +13,9 @@ namespace delone {
 struct AffineHull {
   Flat flat;
   std::array<Index, kMaxDimension + 1> basis{};  ///< flat.dimension + 1 affinely independent rows, ascending
+
+  /// Moves the basis to the front of an order of all rows; what stood there takes its places.
+  void bring_to_front(std::span<Index> order) const;
 };
 
 /// The affine hull of the rows, decided exactly; dimension -1 for no rows.
