@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "delone/base/arithmetic.hpp"
+#include "delone/build/build.hpp"
 #include "delone/build/insert.hpp"
 #include "delone/mesh/export.hpp"
 #include "support/expectations.hpp"
@@ -39,6 +40,20 @@ TEST(Regress, a_denormal_weight_is_refused_without_weights_whatever_the_mode) {
 TEST(Regress, a_rounding_mode_is_one_problem) {
   const Rounding rounding(FE_DOWNWARD);
   EXPECT_EQ(arithmetic_problems().size(), 1U);
+}
+
+// The middle of two numbers side by side is one of them; sites were thought to lie as far from it on either side.
+TEST(Regress, few_points_seen_from_a_rounded_middle) {
+  constexpr double kHeight = 0x1p-80;
+  constexpr double kLeft = 1 + 0x1p-52, kRight = 1 + 0x1p-51;
+  const PointSet points{
+      "side by side",
+      2,
+      {kRight, -5 * kHeight, kRight, 4 * kHeight, kLeft, 2.75 * kHeight, kLeft, -3 * kHeight, kRight, 5 * kHeight},
+      {}};
+  const AnyTriangulation t = built(points);
+  EXPECT_EQ(fails_check(t, points), "");
+  EXPECT_EQ(canonical_hash(t), canonical_hash(build(points.view(), {.method = Method::cavity})));
 }
 
 }  // namespace
