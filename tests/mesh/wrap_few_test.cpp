@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -68,10 +69,11 @@ PointSet cube() {
 }
 
 TEST(WrapFew, agrees_with_insertion_on_every_family) {
-  for (std::size_t n = 12; n < 40; ++n) {
-    for (const PointSet& points : families(3, n, n)) expect_inserted(points);
-  }
-  for (const std::size_t n : {100U, 240U}) {
+  std::vector<std::size_t> counts(36);
+  std::iota(counts.begin(), counts.end(), 4U);
+  counts.insert(counts.end(), {100, 240});
+  for (const std::size_t n : counts) {
+    for (const PointSet& points : unweighted_families(2, n, n)) expect_inserted(points);
     for (const PointSet& points : families(3, n, n)) expect_inserted(points);
   }
 }
@@ -81,15 +83,6 @@ TEST(WrapFew, usual_points_are_wrapped) {
     const PointSet points = uniform(3, 12 + seed % 229, seed);
     expect_wrapped(points);
     expect_wrapped(with_random_weights(points, seed));
-  }
-}
-
-TEST(WrapFew, agrees_with_insertion_on_every_family_in_the_plane) {
-  for (std::size_t n = 4; n < 40; ++n) {
-    for (const PointSet& points : unweighted_families(2, n, n)) expect_inserted(points);
-  }
-  for (const std::size_t n : {100U, 240U}) {
-    for (const PointSet& points : unweighted_families(2, n, n)) expect_inserted(points);
   }
 }
 
