@@ -158,16 +158,6 @@ TEST(WrapFew, numbers_side_by_side) {
   }
 }
 
-TEST(WrapFew, units_do_not_matter_in_the_plane) {
-  const PointSet points = uniform(2, 60, 7);
-  for (const double unit : {0x1p-990, 0x1p-300, 0x1p-30, 0x1p30, 0x1p300, 0x1p1000}) {
-    expect_wrapped(moved(points, unit, 0.0));
-  }
-  expect_inserted(moved(points, 0x1p-1040, 0.0));
-  expect_inserted(moved(points, 0x1p1023, 0.0));
-  expect_wrapped(moved(moved(points, 2.0, -1.0), 1.9 * 0x1p1023, 0.0));
-}
-
 TEST(WrapFew, others_are_not) {
   EXPECT_FALSE(wrapped(uniform(2, 241, 1)));
   EXPECT_FALSE(wrapped(uniform(2, 3, 1)));
@@ -271,13 +261,15 @@ TEST(WrapFew, near_ties_are_told_by_exact_tests) {
 }
 
 TEST(WrapFew, units_do_not_matter) {
-  const PointSet points = uniform(3, 60, 7);
-  for (const double unit : {0x1p-1000, 0x1p-300, 0x1p-30, 0x1p30, 0x1p300, 0x1p1000}) {
-    expect_wrapped(moved(points, unit, 0.0));
+  for (const int dimension : {2, 3}) {
+    const PointSet points = uniform(dimension, 60, 7);
+    for (const double unit : {dimension == 2 ? 0x1p-990 : 0x1p-1000, 0x1p-300, 0x1p-30, 0x1p30, 0x1p300, 0x1p1000}) {
+      expect_wrapped(moved(points, unit, 0.0));
+    }
+    expect_inserted(moved(points, 0x1p-1040, 0.0));
+    expect_inserted(moved(points, 0x1p1023, 0.0));
+    expect_wrapped(moved(moved(points, 2.0, -1.0), 1.9 * 0x1p1023, 0.0));
   }
-  expect_inserted(moved(points, 0x1p-1040, 0.0));
-  expect_inserted(moved(points, 0x1p1023, 0.0));
-  expect_wrapped(moved(moved(points, 2.0, -1.0), 1.9 * 0x1p1023, 0.0));
 }
 
 TEST(WrapFew, clusters_and_points_far_from_the_origin) {
