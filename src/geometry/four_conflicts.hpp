@@ -26,34 +26,35 @@
 
 namespace delone {
 
+/// Whether this processor can.
+inline bool can_test_fours() {
+  static const bool can = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+  return can;
+}
+
+/// A bit for each cell across.
+struct FourAnswers {
+  unsigned conflict;  ///< where it is sure, whether the query is in conflict with it
+  unsigned sure;
+  unsigned tie;  ///< the query is known to lie exactly on its lifted hyperplane
+};
+
 /// The tests of one query. The sites lie in no flat of more dimensions.
+template <bool Weighted>
 class FourConflicts {
  public:
   using Cell = Kernel<3>::Cell;
 
-  /// Whether this processor can.
-  static bool possible() {
-    static const bool can = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-    return can;
-  }
-
   FourConflicts(const Kernel<3>& kernel, VertexId q) : kernel_(&kernel), query_(q) {}
 
-  /// A bit for each cell across.
-  struct Answers {
-    unsigned conflict;  ///< where it is sure, whether the query is in conflict with it
-    unsigned sure;
-    unsigned tie;  ///< the query is known to lie exactly on its lifted hyperplane
-  };
+  /// Expects cells about as large as this one, which is finite.
+  DELONE_BY_FOURS [[gnu::always_inline]] inline void expect(const Cell& cell) { expect(largest(see(cell).size)); }
+
   /// Of cells that are finite, and positively oriented.
   /// @param apexes  in slot i the vertex of the cell across facet i that `cell` has not
-  DELONE_BY_FOURS [[gnu::always_inline]] inline Answers operator()(const Cell& cell, const Cell& apexes) {
+  DELONE_BY_FOURS [[gnu::always_inline]] inline FourAnswers operator()(const Cell& cell, const Cell& apexes) {
     const Seen corner = see(cell);
     const Seen apex = see(apexes);
-    if (any_above(corner.size, limit_)) [[unlikely]] {
-      limit_ = 4.0 * largest(corner.size);  // most to come are not larger
-      bound_ = kernel_->lifted_bound(limit_);
-    }
     // In lanes 0 to 3 corners 1, 0, 3, 2; and the minors of 2 and 3, 3 and 2, 0 and 1, 1 and 0.
     const Four x = partners(corner.x);
     const Four y = partners(corner.y);
@@ -72,10 +73,11 @@ class FourConflicts {
     second = _mm256_fnmadd_pd(minor(apex.y, apex.lift, y, l), xz, second);
     second = _mm256_fmadd_pd(minor(apex.z, apex.lift, z, l), xy, second);
     const Four value = _mm256_add_pd(first, second);
-    Answers answers{above(value, _mm256_setzero_pd()), above(magnitude(value), _mm256_set1_pd(bound_)), 0};
-    if (answers.sure != 15 || any_above(apex.size, limit_)) [[unlikely]]
-      reconsider(answers, value, corner.size, apex.size);
-    return answers;
+    const unsigned conflict = above(value, _mm256_setzero_pd());
+    if (above(magnitude(value), _mm256_set1_pd(bound_)) != 15 ||
+        above(_mm256_max_pd(corner.size, apex.size), _mm256_set1_pd(limit_)) != 0) [[unlikely]]
+      return reconsidered(conflict, value, corner.size, apex.size);
+    return {conflict, 15, 0};
   }
 
  private:
@@ -101,7 +103,8 @@ class FourConflicts {
     seen.lift = _mm256_fmadd_pd(seen.y, seen.y, seen.lift);
     seen.lift = _mm256_fmadd_pd(seen.z, seen.z, seen.lift);
     seen.size = seen.lift;
-    if (const double* const w = kernel_->weights(); w != nullptr) {
+    if constexpr (Weighted) {
+      const double* const w = kernel_->weights();
       const Four more = _mm256_sub_pd(_mm256_setr_pd(w[raw(v[0])], w[raw(v[1])], w[raw(v[2])], w[raw(v[3])]),
                                       _mm256_set1_pd(w[raw(query_)]));
       seen.lift = _mm256_sub_pd(seen.lift, more);
@@ -109,9 +112,17 @@ class FourConflicts {
     }
     return seen;
   }
-  /// Settles what is sure by the sizes of each cell alone.
-  DELONE_BY_FOURS [[gnu::noinline]] void reconsider(Answers& answers, Four values, Four corners, Four apexes) const {
-    const Four sizes = _mm256_max_pd(apexes, _mm256_set1_pd(largest(corners)));
+  /// Bounds for cells with corners of such sizes, and somewhat larger ones, as nearly all to come will be.
+  DELONE_BY_FOURS [[gnu::always_inline]] inline void expect(double size) {
+    limit_ = 16.0 * size;
+    bound_ = kernel_->lifted_bound(limit_);
+  }
+  /// What is sure by the sizes of each cell alone.
+  DELONE_BY_FOURS [[gnu::noinline]] FourAnswers reconsidered(unsigned conflict, Four values, Four corners,
+                                                             Four apexes) {
+    const double size = largest(corners);
+    if (size > limit_) expect(size);
+    const Four sizes = _mm256_max_pd(apexes, _mm256_set1_pd(size));
     const Four s = _mm256_add_pd(sizes, _mm256_set1_pd(0x1p-300));
     const Four square = _mm256_mul_pd(s, s);
     const Four power = _mm256_mul_pd(_mm256_mul_pd(square, square), s);
@@ -119,8 +130,7 @@ class FourConflicts {
                                       _mm256_set1_pd(0x1p-447));  // lifted_bound() of each
     const unsigned exact = above(_mm256_set1_pd(kernel_->exact_lifts_below()), power);
     const unsigned nonzero = above(magnitude(values), _mm256_setzero_pd());
-    answers.sure = (exact & nonzero) | (~exact & above(magnitude(values), bounds));
-    answers.tie = exact & ~nonzero;
+    return {conflict, (exact & nonzero) | (~exact & above(magnitude(values), bounds)), exact & ~nonzero};
   }
 
   DELONE_BY_FOURS [[gnu::always_inline]] static inline Four partners(Four a) { return _mm256_permute_pd(a, 0b0101); }
@@ -134,19 +144,15 @@ class FourConflicts {
   DELONE_BY_FOURS [[gnu::always_inline]] static inline unsigned above(Four a, Four b) {
     return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_GT_OQ)));
   }
-  DELONE_BY_FOURS [[gnu::always_inline]] static inline bool any_above(Four a, double b) {
-    return above(a, _mm256_set1_pd(b)) != 0;
-  }
-  DELONE_BY_FOURS [[gnu::noinline]] static double largest(Four a) {
-    std::array<double, 4> lanes;
-    _mm256_storeu_pd(lanes.data(), a);
-    return *std::max_element(lanes.begin(), lanes.end());
+  DELONE_BY_FOURS [[gnu::always_inline]] static inline double largest(Four a) {
+    const Four two = _mm256_max_pd(a, partners(a));
+    return _mm256_cvtsd_f64(_mm256_max_pd(two, others(two)));
   }
 
   const Kernel<3>* kernel_;
   VertexId query_;
-  double limit_ = -1.0;  // of the sizes of corners so far, and some more
-  double bound_ = 0.0;   // of the error of a determinant of such sizes
+  double limit_ = -1.0;  // of sizes, for
+  double bound_ = 0.0;   // the error of a determinant
 };
 
 }  // namespace delone

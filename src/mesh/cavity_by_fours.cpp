@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "delone/mesh/cavity.hpp"
 #include "geometry/four_conflicts.hpp"
@@ -25,63 +26,65 @@ constexpr auto kChosen = [] {
   return bytes;
 }();
 
+using Ids = Index __attribute__((vector_size(4 * sizeof(Index))));
+
 /// Appends the facets whose bit is set. There is room for four.
 DELONE_BY_FOURS [[gnu::always_inline]] inline void push_chosen(Refill<FacetId>& list, unsigned chosen,
-                                                               const std::array<FacetId, 4>& facets) {
-  if constexpr (sizeof(facets) == 16) {
-    const __m128i all = _mm_loadu_si128(reinterpret_cast<const __m128i*>(facets.data()));
+                                                               const Ids& facets) {
+  if constexpr (sizeof(Ids) == 16) {
     const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(kChosen[chosen].data()));
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(list.place()), _mm_shuffle_epi8(all, bytes));
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(list.place()),
+                     _mm_shuffle_epi8(reinterpret_cast<__m128i>(facets), bytes));
     list.keep(static_cast<std::size_t>(std::popcount(chosen)));
   } else {
-    for (unsigned i = 0; i < 4; ++i) list.push_if((chosen >> i & 1) != 0, facets[i]);
+    for (unsigned i = 0; i < 4; ++i) list.push_if((chosen >> i & 1) != 0, FacetId{facets[i]});
   }
 }
 
 /// The search in breadth of cavity.hpp, a cell of the cavity at a time: all cells across its facets are tested, also
 /// those known to be in conflict, whose answers are dropped. Where ghosts take part, which is seldom, each is tested
 /// alone; a finite cell's neighbour is a ghost when its apex is.
+template <bool Weighted>
 DELONE_BY_FOURS bool search(ComplexView<3> complex, Kernel<3>& kernel, VertexId q, CellId start, Scratch& scratch) {
   Refill cavity(scratch.cavity);
   Refill boundary(scratch.boundary);
   Scratch::Mark* const marks = scratch.marks.data();
-  FourConflicts conflicts(kernel, q);
+  FourConflicts<Weighted> conflicts(kernel, q);
   const Territory territory = scratch.territory;
   std::size_t asked = 0;
   cavity.make_room(1);
   cavity.push(complex.facet(start, 0));
   marks[raw(start)] = Scratch::Mark::conflicting;
   scratch.numbers.begin(complex.vertices(start));
+  if (!complex.is_ghost(start)) [[likely]]
+    conflicts.expect(complex.vertices(start));
   for (std::size_t next = 0; next < cavity.size(); ++next) {
     cavity.make_room(4);
     boundary.make_room(4);
-    if (next + 2 < cavity.size()) {
-      for (const FacetId f : complex.twins(complex.cell(cavity[next + 2]))) complex.prefetch(complex.cell(f));
-    }
     const CellId c = complex.cell(cavity[next]);
     scratch.numbers.add(complex.vertex(cavity[next]), next);
-    const std::array<FacetId, 4> outside = complex.twins(c);
-    std::array<FacetId, 4> inside;
-    std::array<CellId, 4> across;
+    std::array<FacetId, 4> outside;
     std::array<VertexId, 4> apexes;
     unsigned known = 0;
-    bool ghosts = complex.is_ghost(c);
+    Index any =
+        raw(complex.vertex(c, 3));  // the highest bit is the ghost's: of sites in space (max_row_count) none has it
 #pragma GCC unroll 4
     for (std::size_t i = 0; i < 4; ++i) {
-      inside[i] = complex.facet(c, static_cast<int>(i));
-      across[i] = complex.cell(outside[i]);
+      outside[i] = complex.twin(c, static_cast<int>(i));  // not all in one load: each would wait for its store
       apexes[i] = complex.vertex(outside[i]);
-      known |= static_cast<unsigned>(marks[raw(across[i])]) << i;
-      ghosts |= apexes[i] == kGhost;
+      known |= static_cast<unsigned>(marks[raw(complex.cell(outside[i]))]) << i;
+      any |= raw(apexes[i]);
     }
-    FourConflicts::Answers answers{};
+    const bool ghosts = static_cast<std::make_signed_t<Index>>(any) < 0;
+    FourAnswers answers{};
     if (!ghosts) [[likely]]
       answers = conflicts(complex.vertices(c), apexes);
     unsigned conflict = answers.conflict & answers.sure & ~known;
     for (unsigned open = ~(answers.sure | known) & 15; open != 0; open &= open - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(open));
-      const bool conflicting = (answers.tie >> i & 1) != 0 ? kernel.conflict_by_tie(complex.vertices(across[i]), q)
-                                                           : in_conflict(complex, kernel, scratch, across[i], q);
+      const CellId across = complex.cell(outside[i]);
+      const bool conflicting = (answers.tie >> i & 1) != 0 ? kernel.conflict_by_tie(complex.vertices(across), q)
+                                                           : in_conflict(complex, kernel, scratch, across, q);
       conflict |= (conflicting ? 1U : 0U) << i;
       ++asked;
     }
@@ -92,16 +95,20 @@ DELONE_BY_FOURS bool search(ComplexView<3> complex, Kernel<3>& kernel, VertexId 
       if ((conflict & ~held) != 0) return false;
     }
     known |= conflict;
+    const unsigned bytes = known * 0x0020'4081 & 0x0101'0101;  // bit i in byte i
+    const auto set_mark = [&](std::size_t i) {
+      marks[raw(complex.cell(outside[i]))] = static_cast<Scratch::Mark>(static_cast<std::uint8_t>(bytes >> 8 * i));
+    };
     if (held == 15) [[likely]] {
 #pragma GCC unroll 4
-      for (std::size_t i = 0; i < 4; ++i) marks[raw(across[i])] = static_cast<Scratch::Mark>(known >> i & 1);
+      for (std::size_t i = 0; i < 4; ++i) set_mark(i);
     } else {
       for (std::size_t i = 0; i < 4; ++i) {
-        if ((held >> i & 1) != 0) marks[raw(across[i])] = static_cast<Scratch::Mark>(known >> i & 1);
+        if ((held >> i & 1) != 0) set_mark(i);
       }
     }
-    push_chosen(cavity, conflict, outside);
-    push_chosen(boundary, ~known & 15, inside);
+    push_chosen(cavity, conflict, std::bit_cast<Ids>(complex.twins(c)));  // in one load
+    push_chosen(boundary, ~known & 15, raw(complex.facet(c, 0)) | Ids{0, 1, 2, 3});
   }
   kernel.count_filtered(cavity.size() - 1 + boundary.size() - asked);
   return true;
@@ -111,8 +118,9 @@ DELONE_BY_FOURS bool search(ComplexView<3> complex, Kernel<3>& kernel, VertexId 
 
 std::optional<bool> find_cavity_by_fours(ComplexView<3> complex, Kernel<3>& kernel, VertexId q, CellId start,
                                          Scratch& scratch) {
-  if (!FourConflicts::possible() || kernel.flat()) return std::nullopt;
-  return search(complex, kernel, q, start, scratch);
+  if (!can_test_fours() || kernel.flat()) return std::nullopt;
+  return kernel.weighted() ? search<true>(complex, kernel, q, start, scratch)
+                           : search<false>(complex, kernel, q, start, scratch);
 }
 
 #else

@@ -28,13 +28,17 @@ struct Question {
   Cell cell, apexes;
 };
 
-/// The first with which a query comes is the one that sets bounds for the others.
-DELONE_BY_FOURS std::vector<FourConflicts::Answers> answers_of(const Kernel<3>& kernel,
-                                                               const std::vector<Question>& questions) {
-  FourConflicts conflicts(kernel, kQuery);
-  std::vector<FourConflicts::Answers> answers;
+/// The first with which a query comes sets bounds for the others, as long as these are not larger.
+template <bool Weighted>
+DELONE_BY_FOURS std::vector<FourAnswers> answers_of(const Kernel<3>& kernel, const std::vector<Question>& questions) {
+  FourConflicts<Weighted> conflicts(kernel, kQuery);
+  if (!questions.empty()) conflicts.expect(questions.front().cell);
+  std::vector<FourAnswers> answers;
   for (const Question& q : questions) answers.push_back(conflicts(q.cell, q.apexes));
   return answers;
+}
+std::vector<FourAnswers> answers_of(const Kernel<3>& kernel, const std::vector<Question>& questions) {
+  return kernel.weighted() ? answers_of<true>(kernel, questions) : answers_of<false>(kernel, questions);
 }
 
 Sites sites_of(const std::vector<double>& coordinates, const std::vector<double>& weights = {}) {
@@ -104,7 +108,7 @@ std::vector<double> near_lattice(Random& random, std::size_t count, int exponent
 }
 
 TEST(FourConflicts, never_contradict_integers_near_lattices) {
-  if (!FourConflicts::possible()) GTEST_SKIP() << "not on this processor";
+  if (!can_test_fours()) GTEST_SKIP() << "not on this processor";
   constexpr std::array<int, 8> kScales{0, 0, 60, 88, -60, -80, -100, -200};
   Random random(1);
   Counts counts;
@@ -121,7 +125,7 @@ TEST(FourConflicts, never_contradict_integers_near_lattices) {
 /// Cells of different size, all with their neighbours on one sphere through the query, as closely as doubles tell; or
 /// with weights that raise or lower what lies off the sphere to it.
 TEST(FourConflicts, never_contradict_integers_near_spheres) {
-  if (!FourConflicts::possible()) GTEST_SKIP() << "not on this processor";
+  if (!can_test_fours()) GTEST_SKIP() << "not on this processor";
   Random random(2);
   Counts counts;
   const auto power = [&](int most) {
@@ -160,7 +164,7 @@ TEST(FourConflicts, never_contradict_integers_near_spheres) {
 /// Signed permutations of three integers up to a lie on one sphere. Differences reach 2 a, so squared lengths 12 a^2,
 /// and all terms of a determinant stay below 2^53 while 4.8 (12 a^2)^(5/2) does: for a below 320.
 TEST(FourConflicts, know_ties_of_small_integers) {
-  if (!FourConflicts::possible()) GTEST_SKIP() << "not on this processor";
+  if (!can_test_fours()) GTEST_SKIP() << "not on this processor";
   Random random(3);
   for (const double largest : {8.0, 100.0, 1e3, 1e4, 1e5}) {
     Counts counts;
@@ -184,7 +188,7 @@ TEST(FourConflicts, know_ties_of_small_integers) {
 
 /// Determinants are about 2^(5 exponent), and bounds never below 2^-447; coordinates of 2^99 and more are untame.
 TEST(FourConflicts, are_not_sure_where_numbers_leave_the_range) {
-  if (!FourConflicts::possible()) GTEST_SKIP() << "not on this processor";
+  if (!can_test_fours()) GTEST_SKIP() << "not on this processor";
   Random random(4);
   for (const int exponent : {-1060, -540, -300, -100, -88, 97, 99, 100, 300, 1010}) {
     Counts counts;
@@ -198,7 +202,7 @@ TEST(FourConflicts, are_not_sure_where_numbers_leave_the_range) {
 }
 
 TEST(FourConflicts, an_apex_far_away_has_a_bound_of_its_own) {
-  if (!FourConflicts::possible()) GTEST_SKIP() << "not on this processor";
+  if (!can_test_fours()) GTEST_SKIP() << "not on this processor";
   // The query lies on the sphere through corners 1 to 3 and apex 0, exactly.
   const Sites tie = sites_of({0,         0,        0,                                                       //
                               -3,        -5,       -400,     185,  -96, 549, 121, -65, 366, 113, -63, 349,  //

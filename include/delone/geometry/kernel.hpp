@@ -234,7 +234,11 @@ class Kernel {
     }
     return less != 0;
   }
-  bool same_place(VertexId a, VertexId b) const { return !before(a, b) && !before(b, a); }
+  bool same_place(VertexId a, VertexId b) const {
+    bool same = true;
+    for (std::size_t j = 0; j < kCoordinates; ++j) same &= at(a)[j] == at(b)[j];
+    return same;
+  }
 
   // The stages one by one.
   static constexpr int kUnsure = filter::kUnsure;

@@ -131,8 +131,11 @@ class Inserter {
     came_ = q;
     ++mesh_->vertex_count;
     if (mesh_->sites.weighted()) hide_swallowed_vertices();
-    for (const FacetId f : scratch_->cavity) complex_.destroy(complex_.cell(f));
-    clean_marks();
+    const bool marked = marks_cells(kernel_);
+    for (const FacetId f : scratch_->cavity) {
+      complex_.destroy(complex_.cell(f));
+      if (marked) scratch_->marks[raw(complex_.cell(f))] = Scratch::Mark::none;
+    }
     if (mesh_->hidden.kept()) place_hidden();
     mesh_->statistics.cells_created += scratch_->created.size();
     const CellId outside = complex_.incident_cell(kGhost);

@@ -32,8 +32,10 @@ struct CavityNumbers {
 struct EdgeTable {
   static constexpr std::size_t kNumbers = 64;  ///< larger stars are linked by turning
 
-  std::array<std::array<FacetId, kNumbers>, kNumbers> facet;
-  std::array<std::array<Index, 3>, 2 * kNumbers> numbers;  ///< per new cell, of its three boundary vertices
+  std::array<FacetId, kNumbers * kNumbers> facets;
+  std::array<std::array<Index, 3>, 2 * kNumbers> twins;  ///< per new cell, at which places its facets find theirs
+
+  static Index place(Index from, Index to) { return from * Index{kNumbers} + to; }
 };
 
 /// What a removal plans: the hole, and the cells that will fill it.

@@ -79,7 +79,7 @@ void link_by_turning(ComplexView<K> complex, VertexId q, const Scratch& scratch)
 /// vertices holds the facet at each.
 inline void fill_by_edge_table(ComplexView<3> complex, VertexId q, Scratch& scratch) {
   // Corners of the facet opposite each slot, in the order that makes a shared edge run in opposite directions.
-  constexpr std::array<std::array<int, 3>, 4> kFacet{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+  static constexpr std::array<std::array<int, 3>, 4> kFacet{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
   EdgeTable& table = scratch.edges.front();
   const std::size_t count = scratch.created.size();
   CellId* const created = scratch.created.data();
@@ -95,17 +95,16 @@ inline void fill_by_edge_table(ComplexView<3> complex, VertexId q, Scratch& scra
       number[i] = scratch.numbers.of(v);
       complex.set_incident(v, fresh);
     }
-    table.numbers[b] = number;
-    table.facet[number[0]][number[1]] = complex.facet(fresh, corners[2]);
-    table.facet[number[1]][number[2]] = complex.facet(fresh, corners[0]);
-    table.facet[number[2]][number[0]] = complex.facet(fresh, corners[1]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t next = (i + 1) % 3;
+      table.facets[EdgeTable::place(number[i], number[next])] = complex.facet(fresh, corners[(i + 2) % 3]);
+      table.twins[b][i] = EdgeTable::place(number[next], number[i]);
+    }
   }
   for (std::size_t b = 0; b < count; ++b) {
     const auto& corners = kFacet[static_cast<std::size_t>(complex.slot(boundary[b]))];
-    const auto& number = table.numbers[b];
-    complex.set_twin(created[b], corners[2], table.facet[number[1]][number[0]]);
-    complex.set_twin(created[b], corners[0], table.facet[number[2]][number[1]]);
-    complex.set_twin(created[b], corners[1], table.facet[number[0]][number[2]]);
+    for (std::size_t i = 0; i < 3; ++i)
+      complex.set_twin(created[b], corners[(i + 2) % 3], table.facets[table.twins[b][i]]);
   }
   complex.set_incident(q, created[0]);
 }

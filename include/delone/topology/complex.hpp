@@ -146,7 +146,7 @@ class ComplexView {
   static constexpr FacetId facet(CellId c, int i) { return FacetId{raw(c) << kSlotBits | static_cast<Index>(i)}; }
 
   VertexId vertex(CellId c, int i) const { return VertexId{base(c)[i]}; }
-  FacetId twin(CellId c, int i) const { return FacetId{base(c)[kCorners + static_cast<Index>(i)]}; }
+  FacetId twin(CellId c, int i) const { return FacetId{base(c)[std::size_t{kCorners} + static_cast<std::size_t>(i)]}; }
   std::array<VertexId, kCorners> vertices(CellId c) const {
     std::array<VertexId, kCorners> copy;
     std::memcpy(copy.data(), base(c), sizeof copy);
@@ -230,7 +230,7 @@ class ComplexView {
   /// All ids of a cell at once: its vertices, then its twins.
   void set_ids(CellId c, const Index* ids) { std::memcpy(base(c), ids, 2 * kCorners * sizeof(Index)); }
   void copy_ids(CellId c, Index* to) const { std::memcpy(to, base(c), 2 * kCorners * sizeof(Index)); }
-  void set_twin(CellId c, int i, FacetId f) { base(c)[kCorners + static_cast<Index>(i)] = raw(f); }
+  void set_twin(CellId c, int i, FacetId f) { base(c)[std::size_t{kCorners} + static_cast<std::size_t>(i)] = raw(f); }
   void set_twin(FacetId f, FacetId g) { complex_->ids_[place(f) + kCorners] = raw(g); }
   void link(FacetId f, FacetId g) {
     set_twin(f, g);
