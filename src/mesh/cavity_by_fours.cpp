@@ -41,6 +41,21 @@ DELONE_BY_FOURS [[gnu::always_inline]] inline void push_chosen(Refill<FacetId>& 
   }
 }
 
+/// Which of the cells across the facets of c that are `open` are in conflict with q; on the lifted hyperplanes of those
+/// in `tie` it lies exactly.
+[[gnu::noinline]] unsigned conflicts_one_by_one(ComplexView<3> complex, Kernel<3>& kernel, Scratch& scratch, CellId c,
+                                                VertexId q, unsigned open, unsigned tie) {
+  unsigned conflict = 0;
+  for (; open != 0; open &= open - 1) {
+    const int i = std::countr_zero(open);
+    const CellId across = complex.cell(complex.twin(c, i));
+    const bool conflicting = (tie >> i & 1) != 0 ? kernel.conflict_by_tie(complex.vertices(across), q)
+                                                 : in_conflict(complex, kernel, scratch, across, q);
+    conflict |= (conflicting ? 1U : 0U) << i;
+  }
+  return conflict;
+}
+
 /// The search in breadth of cavity.hpp, a cell of the cavity at a time: all cells across its facets are tested, also
 /// those known to be in conflict, whose answers are dropped. Where ghosts take part, which is seldom, each is tested
 /// alone; a finite cell's neighbour is a ghost when its apex is.
@@ -80,13 +95,9 @@ DELONE_BY_FOURS bool search(ComplexView<3> complex, Kernel<3>& kernel, VertexId 
     if (!ghosts) [[likely]]
       answers = conflicts(complex.vertices(c), apexes);
     unsigned conflict = answers.conflict & answers.sure & ~known;
-    for (unsigned open = ~(answers.sure | known) & 15; open != 0; open &= open - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(open));
-      const CellId across = complex.cell(outside[i]);
-      const bool conflicting = (answers.tie >> i & 1) != 0 ? kernel.conflict_by_tie(complex.vertices(across), q)
-                                                           : in_conflict(complex, kernel, scratch, across, q);
-      conflict |= (conflicting ? 1U : 0U) << i;
-      ++asked;
+    if (const unsigned open = ~(answers.sure | known) & 15; open != 0) [[unlikely]] {
+      conflict |= conflicts_one_by_one(complex, kernel, scratch, c, q, open, answers.tie);
+      asked += static_cast<std::size_t>(std::popcount(open));
     }
     unsigned held = 15;
     if (!territory.whole() && (ghosts || !territory.holds_sites(apexes)))

@@ -259,9 +259,10 @@ class Kernel {
   template <class P>
   FourRows<P> seen_from(const Cell& cell, const double* q) const requires(K == 3);
 
-  /// The orientations of the cell with one vertex after the other replaced by q, and what bounds their errors.
+  /// The orientations of the cell with one vertex after the other replaced by q, each with the number of its slot in
+  /// its last two bits, and what bounds their errors. In the plane slot 3 is slot 1 again.
   struct Sides {
-    std::array<double, K + 1> value;
+    Pair even, odd;
     double bound;
   };
   Sides sides(const Cell& cell, const double* q) const requires(K == 2 || K == 3);
@@ -479,13 +480,15 @@ template <int K>
     const Pair b = load_pair(at(cell[1])) - origin;
     const Pair c = load_pair(at(cell[2])) - origin;
     const Pair squares = larger(larger(a * a, b * b), c * c);
-    return {{b[0] * c[1] - b[1] * c[0], c[0] * a[1] - c[1] * a[0], a[0] * b[1] - a[1] * b[0]},
-            3.1 * filter::kU * (squares[0] + squares[1]) + slack};
+    const double ca = c[0] * a[1] - c[1] * a[0];
+    return {numbered(Pair{b[0] * c[1] - b[1] * c[0], a[0] * b[1] - a[1] * b[0]}, 0, 2), numbered(Pair{ca, ca}, 1, 1),
+            (3.1 + 6.1) * filter::kU * (squares[0] + squares[1]) + slack};
   } else {
     const auto [abc, cda, ab_lifts, cd_lifts] = seen_from<Pair>(cell, q);
     const Pair squares = larger(ab_lifts, cd_lifts);
     const double square = std::max(squares[0], squares[1]);
-    return {{abc[1], -cda[0], cda[1], -abc[0]}, 8.3 * filter::kU * square * std::sqrt(square) + slack};
+    return {numbered(seconds(abc, cda), 0, 2), numbered(-firsts(cda, abc), 1, 3),
+            (8.3 + 6.1) * filter::kU * square * std::sqrt(square) + slack};
   }
 }
 
@@ -493,14 +496,14 @@ template <int K>
 [[gnu::always_inline]] inline int Kernel<K>::separating_slot(const Cell& cell, const double* q, int entered) {
   std::array<bool, K + 1> open{};  // sides of unknown sign
   if constexpr (K == 2 || K == 3) {
-    const auto [side, bound] = sides(cell, q);
-    std::size_t lowest = 0;
-    for (std::size_t i = 1; i <= kCoordinates; ++i) lowest = side[i] < side[lowest] ? i : lowest;
-    if (side[lowest] < -bound || side[lowest] > bound) [[likely]] {
+    const auto [even, odd, bound] = sides(cell, q);
+    const Pair lower = smaller(even, odd);
+    const double lowest = std::min(lower[0], lower[1]);
+    if (std::abs(lowest) > bound) [[likely]] {
       ++stats_.orient_filter;
-      return side[lowest] < 0.0 ? static_cast<int>(lowest) : -1;
+      return lowest < 0.0 ? number_in(lowest) : -1;
     }
-    for (std::size_t i = 0; i <= kCoordinates; ++i) open[i] = !(side[i] > bound);
+    for (std::size_t i = 0; i <= kCoordinates; ++i) open[i] = !((i % 2 == 0 ? even : odd)[i / 2] > bound);
   } else {
     open.fill(true);
   }

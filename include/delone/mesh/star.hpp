@@ -30,12 +30,15 @@ namespace star {
 /// The new cell on a facet of the boundary, seen from inside; linked to the cell outside, and to no other yet.
 template <int K>
 [[gnu::always_inline]] inline CellId make_cell(ComplexView<K> complex, VertexId q, FacetId inside) {
+  const CellId old = complex.cell(inside);
   const int apex = complex.slot(inside);
   const CellId fresh = complex.create();
-  complex.set_vertices(fresh, complex.vertices(complex.cell(inside)));
+  complex.set_vertices(fresh, complex.vertices(old));
   complex.set_vertex(fresh, apex, q);
-  complex.link(complex.facet(fresh, apex), complex.twin(inside));
-  complex.count_ghost(fresh);
+  const FacetId outside = complex.twin(old, apex);
+  complex.set_twin(fresh, apex, outside);
+  complex.set_twin(outside, complex.facet(fresh, apex));
+  if (const int ghost = complex.ghost_slot(old); ghost >= 0 && ghost != apex) complex.count_ghosts(1, fresh);
   return fresh;
 }
 
