@@ -46,8 +46,11 @@ class Prover {
       const Index* const twins = &cells_.twins[std::size_t{4} * i];
       is_closed_ &= twins[0] != 4 * i && twins[1] != 4 * i + 1 && twins[2] != 4 * i + 2;
       const bool ghost = end == cells_.ghost;
-      const std::array<Index, 6> ids{a, b, ghost ? raw(kGhost) : end, twins[0], twins[1], twins[2]};
-      complex_.set_ids(c, ids.data());
+      const std::array<Index, 3> vertices{a, b, ghost ? raw(kGhost) : end};
+      for (int k = 0; k < 3; ++k) {  // not all at once: what is put together from parts waits for each
+        complex_.set_vertex(c, k, VertexId{vertices[static_cast<std::size_t>(k)]});
+        complex_.set_twin(c, k, FacetId{twins[k]});
+      }
       if (ghost) {
         planes_[i] = sites_.wall(a, b);
         complex_.count_ghosts(1, c);

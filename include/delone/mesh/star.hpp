@@ -121,14 +121,16 @@ inline std::uint64_t name(VertexId v) {
 
 /// A bit for each place of a bucket with this key or none, so that the lowest is the key's.
 inline unsigned places_for(const RidgeTable::Bucket& bucket, std::uint32_t key) {
+#ifdef __SSE2__
+  const __m128i keys = _mm_loadu_si128(reinterpret_cast<const __m128i*>(bucket.keys.data()));
+  __m128i is_key = _mm_cmpeq_epi32(keys, _mm_set1_epi32(static_cast<int>(key)));
+  __m128i is_free = _mm_cmpeq_epi32(keys, _mm_setzero_si128());
+  return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(_mm_or_si128(is_key, is_free))));
+#else
   using Keys = std::uint32_t __attribute__((vector_size(sizeof bucket.keys)));
   Keys keys;
   std::memcpy(&keys, bucket.keys.data(), sizeof keys);
-  const auto places = (keys == key) | (keys == 0);
-#ifdef __SSE2__
-  return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(places)));
-#else
-  const auto bits = places & Keys{1, 2, 4, 8};
+  const auto bits = ((keys == key) | (keys == 0)) & Keys{1, 2, 4, 8};
   return static_cast<unsigned>(bits[0] | bits[1] | bits[2] | bits[3]);
 #endif
 }
