@@ -391,13 +391,30 @@ TEST(Filter, never_contradicts_integers_on_points_that_just_miss_a_lattice) {
   expect_filter_agrees<6>(2000);
 }
 
-/// By exact numbers, of points that just miss the facets of a cell, or lie on them.
+/// A simplex and, as closely as doubles tell, a point of a facet's flat.
 template <int K>
-void expect_separating_facets(int trials) {
+std::vector<double> near_facet(Random& random) {
+  std::vector<double> numbers;
+  for (int i = 0; i < (K + 1) * K; ++i) numbers.push_back(test::unit_random(random));
+  std::array<double, K> share;
+  double sum = 0.0;
+  for (double& s : share) sum += s = test::unit_random(random);
+  for (std::size_t j = 0; j < K; ++j) {
+    double x = 0.0;
+    for (std::size_t i = 0; i < K; ++i) x += share[i] / sum * numbers[i * K + j];
+    numbers.push_back(x);
+  }
+  return numbers;
+}
+
+/// By exact numbers, of points that just miss the facets of a cell, or lie on them.
+/// @param numbers  makes those of its corners, then of the point
+template <int K, class F>
+void expect_separating_facets(int trials, const F& numbers) {
   Random random(100 + K);
   int beyond = 0;
   for (int trial = 0; trial < trials; ++trial) {
-    const Sites sites = sites_of<K>(near_lattice(random, (K + 2) * K, scale(random)));
+    const Sites sites = sites_of<K>(numbers(random));
     Kernel<K> kernel(sites);
     auto cell = first_cell<K>();
     const int orient = kernel.exact_orient(cell);
@@ -419,6 +436,12 @@ void expect_separating_facets(int trials) {
   }
   EXPECT_GT(beyond, trials / 10);
   EXPECT_LT(beyond, trials - trials / 50);
+}
+
+template <int K>
+void expect_separating_facets(int trials) {
+  expect_separating_facets<K>(trials, [](Random& r) { return near_lattice(r, (K + 2) * K, scale(r)); });
+  if (K > 1) expect_separating_facets<K>(trials, near_facet<K>);  // a point of a line is a facet
 }
 
 TEST(Kernel, a_separating_facet_is_found_exactly_when_the_point_is_outside) {
