@@ -17,16 +17,11 @@
 
 #include <immintrin.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-
 #include "delone/geometry/kernel.hpp"
 
 namespace delone {
 
-/// Whether this processor can.
+/// Whether this processor has the instructions.
 inline bool can_test_fours() {
   static const bool can = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
   return can;
@@ -48,7 +43,7 @@ class FourConflicts {
   FourConflicts(const Kernel<3>& kernel, VertexId q) : kernel_(&kernel), query_(q) {}
 
   /// Expects cells about as large as this one, which is finite.
-  DELONE_BY_FOURS [[gnu::always_inline]] inline void expect(const Cell& cell) { expect(largest(see(cell).size)); }
+  DELONE_BY_FOURS [[gnu::always_inline]] inline void expect(const Cell& cell) { set_limit(largest(see(cell).size)); }
 
   /// Of cells that are finite, and positively oriented.
   /// @param apexes  in slot i the vertex of the cell across facet i that `cell` has not
@@ -113,15 +108,15 @@ class FourConflicts {
     return seen;
   }
   /// Bounds for cells with corners of such sizes, and somewhat larger ones, as nearly all to come will be.
-  DELONE_BY_FOURS [[gnu::always_inline]] inline void expect(double size) {
+  DELONE_BY_FOURS [[gnu::always_inline]] inline void set_limit(double size) {
     limit_ = 16.0 * size;
     bound_ = kernel_->lifted_bound(limit_);
   }
-  /// What is sure by the sizes of each cell alone.
+  /// What is sure by the sizes of each cell alone. Corners larger than the limit raise it.
   DELONE_BY_FOURS [[gnu::noinline]] FourAnswers reconsidered(unsigned conflict, Four values, Four corners,
                                                              Four apexes) {
     const double size = largest(corners);
-    if (size > limit_) expect(size);
+    if (size > limit_) set_limit(size);
     const Four sizes = _mm256_max_pd(apexes, _mm256_set1_pd(size));
     const Four s = _mm256_add_pd(sizes, _mm256_set1_pd(0x1p-300));
     const Four square = _mm256_mul_pd(s, s);
@@ -151,8 +146,8 @@ class FourConflicts {
 
   const Kernel<3>* kernel_;
   VertexId query_;
-  double limit_ = -1.0;  // of sizes, for
-  double bound_ = 0.0;   // the error of a determinant
+  double limit_ = -1.0;
+  double bound_ = 0.0;  // of the error of a determinant, where no size is above the limit
 };
 
 }  // namespace delone

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 #include "delone/mesh/cavity.hpp"
@@ -32,9 +33,9 @@ using Ids = Index __attribute__((vector_size(4 * sizeof(Index))));
 DELONE_BY_FOURS [[gnu::always_inline]] inline void push_chosen(Refill<FacetId>& list, unsigned chosen,
                                                                const Ids& facets) {
   if constexpr (sizeof(Ids) == 16) {
+    const __m128i all = _mm_loadu_si128(reinterpret_cast<const __m128i*>(&facets));
     const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(kChosen[chosen].data()));
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(list.place()),
-                     _mm_shuffle_epi8(reinterpret_cast<__m128i>(facets), bytes));
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(list.place()), _mm_shuffle_epi8(all, bytes));
     list.keep(static_cast<std::size_t>(std::popcount(chosen)));
   } else {
     for (unsigned i = 0; i < 4; ++i) list.push_if((chosen >> i & 1) != 0, FacetId{facets[i]});
@@ -81,16 +82,15 @@ DELONE_BY_FOURS bool search(ComplexView<3> complex, Kernel<3>& kernel, VertexId 
     std::array<FacetId, 4> outside;
     std::array<VertexId, 4> apexes;
     unsigned known = 0;
-    Index any =
-        raw(complex.vertex(c, 3));  // the highest bit is the ghost's: of sites in space (max_row_count) none has it
+    Index any = raw(complex.vertex(c, 3));  // where a ghost cell has its ghost (I4)
 #pragma GCC unroll 4
     for (std::size_t i = 0; i < 4; ++i) {
-      outside[i] = complex.twin(c, static_cast<int>(i));  // not all in one load: each would wait for its store
+      outside[i] = complex.twin(c, static_cast<int>(i));
       apexes[i] = complex.vertex(outside[i]);
       known |= static_cast<unsigned>(marks[raw(complex.cell(outside[i]))]) << i;
       any |= raw(apexes[i]);
     }
-    const bool ghosts = static_cast<std::make_signed_t<Index>>(any) < 0;
+    const bool ghosts = static_cast<std::make_signed_t<Index>>(any) < 0;  // no site's id comes near the highest bit
     FourAnswers answers{};
     if (!ghosts) [[likely]]
       answers = conflicts(complex.vertices(c), apexes);
@@ -118,7 +118,11 @@ DELONE_BY_FOURS bool search(ComplexView<3> complex, Kernel<3>& kernel, VertexId 
         if ((held >> i & 1) != 0) set_mark(i);
       }
     }
-    push_chosen(cavity, conflict, std::bit_cast<Ids>(complex.twins(c)));  // in one load
+    // The same ids as in `outside`, but from memory: what is put together from parts waits for each, and the other way.
+    const auto twins = complex.twins(c);
+    Ids others;
+    std::memcpy(&others, twins.data(), sizeof others);
+    push_chosen(cavity, conflict, others);
     push_chosen(boundary, ~known & 15, raw(complex.facet(c, 0)) | Ids{0, 1, 2, 3});
   }
   kernel.count_filtered(cavity.size() - 1 + boundary.size() - asked);

@@ -28,17 +28,20 @@ struct Question {
   Cell cell, apexes;
 };
 
-/// The first with which a query comes sets bounds for the others, as long as these are not larger.
+/// @param expected  the question that sets bounds for the others, as long as these are not larger; null: none does
 template <bool Weighted>
-DELONE_BY_FOURS std::vector<FourAnswers> answers_of(const Kernel<3>& kernel, const std::vector<Question>& questions) {
+DELONE_BY_FOURS std::vector<FourAnswers> answers_of(const Kernel<3>& kernel, const std::vector<Question>& questions,
+                                                    const Question* expected) {
   FourConflicts<Weighted> conflicts(kernel, kQuery);
-  if (!questions.empty()) conflicts.expect(questions.front().cell);
+  if (expected != nullptr) conflicts.expect(expected->cell);
   std::vector<FourAnswers> answers;
   for (const Question& q : questions) answers.push_back(conflicts(q.cell, q.apexes));
   return answers;
 }
-std::vector<FourAnswers> answers_of(const Kernel<3>& kernel, const std::vector<Question>& questions) {
-  return kernel.weighted() ? answers_of<true>(kernel, questions) : answers_of<false>(kernel, questions);
+std::vector<FourAnswers> answers_of(const Kernel<3>& kernel, const std::vector<Question>& questions,
+                                    const Question* expected) {
+  return kernel.weighted() ? answers_of<true>(kernel, questions, expected)
+                           : answers_of<false>(kernel, questions, expected);
 }
 
 Sites sites_of(const std::vector<double>& coordinates, const std::vector<double>& weights = {}) {
@@ -72,10 +75,9 @@ struct Counts {
 
 /// Compares the answers with integers. Where a cell across is turned around, its answer is that for the cell turned
 /// back, reversed.
-void expect_no_contradiction(const Sites& sites, Counts& counts) {
-  const Kernel<3> kernel(sites);
-  const auto questions = questions_of(sites, kernel);
-  const auto answers = answers_of(kernel, questions);
+void expect_no_contradiction(const Kernel<3>& kernel, const std::vector<Question>& questions, const Question* expected,
+                             Counts& counts) {
+  const auto answers = answers_of(kernel, questions, expected);
   for (std::size_t n = 0; n < questions.size(); ++n) {
     for (std::size_t i = 0; i < 4; ++i) {
       Cell across = questions[n].cell;
@@ -92,6 +94,12 @@ void expect_no_contradiction(const Sites& sites, Counts& counts) {
       ASSERT_EQ(truth > 0, sure && (answers[n].conflict >> i & 1) != 0);
     }
   }
+}
+void expect_no_contradiction(const Sites& sites, Counts& counts) {
+  const Kernel<3> kernel(sites);
+  const auto questions = questions_of(sites, kernel);
+  expect_no_contradiction(kernel, questions, nullptr, counts);
+  for (const Question& expected : questions) expect_no_contradiction(kernel, questions, &expected, counts);
 }
 
 /// A coarse lattice, missed by the last bits or by some, off the origin.
@@ -209,7 +217,8 @@ TEST(FourConflicts, an_apex_far_away_has_a_bound_of_its_own) {
                               -39177751, 91491825, 29201173, -500, 300, 20,  1,   -2,  350, 20,  30,  -350});
   const Question question{{VertexId{1}, VertexId{2}, VertexId{3}, VertexId{4}},
                           {VertexId{5}, VertexId{6}, VertexId{7}, VertexId{8}}};
-  EXPECT_EQ(answers_of(Kernel<3>(tie), {question}).front().sure, 0b1110U);
+  for (const Question* expected : {&question, static_cast<const Question*>(nullptr)})
+    EXPECT_EQ(answers_of(Kernel<3>(tie), {question}, expected).front().sure, 0b1110U);
 }
 
 }  // namespace

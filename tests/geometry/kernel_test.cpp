@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "delone/geometry/exact_predicates.hpp"
@@ -391,17 +392,18 @@ TEST(Filter, never_contradicts_integers_on_points_that_just_miss_a_lattice) {
   expect_filter_agrees<6>(2000);
 }
 
-/// A simplex and, as closely as doubles tell, a point of a facet's flat.
+/// A simplex and, as closely as doubles tell, a point of one of its facets.
 template <int K>
 std::vector<double> near_facet(Random& random) {
   std::vector<double> numbers;
   for (int i = 0; i < (K + 1) * K; ++i) numbers.push_back(test::unit_random(random));
-  std::array<double, K> share;
-  double sum = 0.0;
-  for (double& s : share) sum += s = test::unit_random(random);
+  std::array<double, K + 1> share;
+  for (double& s : share) s = test::unit_random(random);
+  share[random() % share.size()] = 0.0;
+  const double sum = std::accumulate(share.begin(), share.end(), 0.0);
   for (std::size_t j = 0; j < K; ++j) {
     double x = 0.0;
-    for (std::size_t i = 0; i < K; ++i) x += share[i] / sum * numbers[i * K + j];
+    for (std::size_t i = 0; i <= K; ++i) x += share[i] / sum * numbers[i * K + j];
     numbers.push_back(x);
   }
   return numbers;

@@ -28,7 +28,7 @@ inline Pair magnitude(Pair a) {
   return reinterpret_cast<Pair>(reinterpret_cast<PairBits>(a) & kAllButSign);
 }
 /// The same but for the last two bits, which hold a number, so that who is smallest is known as soon as what is.
-/// Changes a by less than 6 units of 2^-53 times its size.
+/// Changes a by at most 6 units of 2^-53 of its size, and what is subnormal by 3 * 2^-1074.
 inline Pair numbered(Pair a, std::int64_t first, std::int64_t second) {
   return reinterpret_cast<Pair>((reinterpret_cast<PairBits>(a) & ~std::int64_t{3}) | PairBits{first, second});
 }

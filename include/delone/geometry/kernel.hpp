@@ -259,8 +259,9 @@ class Kernel {
   template <class P>
   FourRows<P> seen_from(const Cell& cell, const double* q) const requires(K == 3);
 
-  /// The orientations of the cell with one vertex after the other replaced by q, each with the number of its slot in
-  /// its last two bits, and what bounds their errors. In the plane slot 3 is slot 1 again.
+  /// The orientations of the cell with one vertex after the other replaced by q, and what bounds their errors. Each has
+  /// the number of its slot in its last two bits, which changes its size by less than the bound was rounded up by. In
+  /// the plane slot 3 is slot 1 again.
   struct Sides {
     Pair even, odd;
     double bound;
@@ -482,13 +483,13 @@ template <int K>
     const Pair squares = larger(larger(a * a, b * b), c * c);
     const double ca = c[0] * a[1] - c[1] * a[0];
     return {numbered(Pair{b[0] * c[1] - b[1] * c[0], a[0] * b[1] - a[1] * b[0]}, 0, 2), numbered(Pair{ca, ca}, 1, 1),
-            (3.1 + 6.1) * filter::kU * (squares[0] + squares[1]) + slack};
+            3.1 * filter::kU * (squares[0] + squares[1]) + slack};
   } else {
     const auto [abc, cda, ab_lifts, cd_lifts] = seen_from<Pair>(cell, q);
     const Pair squares = larger(ab_lifts, cd_lifts);
     const double square = std::max(squares[0], squares[1]);
     return {numbered(seconds(abc, cda), 0, 2), numbered(-firsts(cda, abc), 1, 3),
-            (8.3 + 6.1) * filter::kU * square * std::sqrt(square) + slack};
+            8.3 * filter::kU * square * std::sqrt(square) + slack};
   }
 }
 

@@ -132,7 +132,7 @@ class Inserter {
     ++mesh_->vertex_count;
     if (mesh_->sites.weighted()) hide_swallowed_vertices();
     const bool marked = marks_cells(kernel_);
-    for (const FacetId f : scratch_->cavity) {
+    for (const FacetId f : scratch_->cavity) {  // which is clean_marks(), too, in one loop
       complex_.destroy(complex_.cell(f));
       if (marked) scratch_->marks[raw(complex_.cell(f))] = Scratch::Mark::none;
     }

@@ -33,7 +33,7 @@ struct EdgeTable {
   static constexpr std::size_t kNumbers = 64;  ///< larger stars are linked by turning
 
   std::array<FacetId, kNumbers * kNumbers> facets;
-  std::array<std::array<Index, 3>, 2 * kNumbers> twins;  ///< per new cell, at which places its facets find theirs
+  std::array<std::array<Index, 3>, 2 * kNumbers> twin_places;  ///< per new cell, of its three inner facets
 
   static Index place(Index from, Index to) { return from * Index{kNumbers} + to; }
 };

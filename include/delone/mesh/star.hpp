@@ -38,7 +38,8 @@ template <int K>
   const FacetId outside = complex.twin(old, apex);
   complex.set_twin(fresh, apex, outside);
   complex.set_twin(outside, complex.facet(fresh, apex));
-  if (const int ghost = complex.ghost_slot(old); ghost >= 0 && ghost != apex) complex.count_ghosts(1, fresh);
+  const int ghost = complex.ghost_slot(old);  // of the old cell: ids just written would be waited for
+  if (ghost >= 0 && ghost != apex) complex.count_ghosts(1, fresh);
   return fresh;
 }
 
@@ -101,13 +102,13 @@ inline void fill_by_edge_table(ComplexView<3> complex, VertexId q, Scratch& scra
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t next = (i + 1) % 3;
       table.facets[EdgeTable::place(number[i], number[next])] = complex.facet(fresh, corners[(i + 2) % 3]);
-      table.twins[b][i] = EdgeTable::place(number[next], number[i]);
+      table.twin_places[b][i] = EdgeTable::place(number[next], number[i]);
     }
   }
   for (std::size_t b = 0; b < count; ++b) {
     const auto& corners = kFacet[static_cast<std::size_t>(complex.slot(boundary[b]))];
     for (std::size_t i = 0; i < 3; ++i)
-      complex.set_twin(created[b], corners[(i + 2) % 3], table.facets[table.twins[b][i]]);
+      complex.set_twin(created[b], corners[(i + 2) % 3], table.facets[table.twin_places[b][i]]);
   }
   complex.set_incident(q, created[0]);
 }
