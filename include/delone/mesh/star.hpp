@@ -124,8 +124,9 @@ inline std::uint64_t name(VertexId v) {
 inline unsigned places_for(const RidgeTable::Bucket& bucket, std::uint32_t key) {
 #ifdef __SSE2__
   const __m128i keys = _mm_loadu_si128(reinterpret_cast<const __m128i*>(bucket.keys.data()));
-  __m128i is_key = _mm_cmpeq_epi32(keys, _mm_set1_epi32(static_cast<int>(key)));
-  __m128i is_free = _mm_cmpeq_epi32(keys, _mm_setzero_si128());
+  // Written out: of the compiler's own vectors AVX-512 makes masks and vectors again.
+  const __m128i is_key = _mm_cmpeq_epi32(keys, _mm_set1_epi32(static_cast<int>(key)));
+  const __m128i is_free = _mm_cmpeq_epi32(keys, _mm_setzero_si128());
   return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(_mm_or_si128(is_key, is_free))));
 #else
   using Keys = std::uint32_t __attribute__((vector_size(sizeof bucket.keys)));
